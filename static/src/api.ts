@@ -1,0 +1,141 @@
+// The only place that talks to the server: one error shape in, one error class out.
+
+/** Where in a file, a session or a form something went wrong; its keys depend on the error's code. */
+export type Where = Record<string, unknown>;
+
+/** A refusal by the server, or (status 0) no answer from it at all. */
+export class ApiError extends Error {
+  constructor(
+    readonly code: string,
+    message: string,
+    readonly where: Where | null,
+    readonly mend: string | null,
+    readonly status: number,
+    /** A way on that the server offers, such as `fill_gaps`. */
+    readonly offer: string | null = null,
+    /** Everything else that the server said about it. */
+    readonly detail: Where = {},
+  ) {
+    super(message);
+    this.name = "ApiError";
+  }
+
+  /** True when asking again later can help: no network, a busy or a failing server. */
+  get transient(): boolean {
+    return this.status === 0 || this.status === 429 || this.status >= 500;
+  }
+}
+
+export interface RequestOptions {
+  /** Query parameters; an empty or missing value is left out. */
+  query?: Record<string, string | number | boolean | null | undefined>;
+  signal?: AbortSignal;
+  /** Let the request outlive the page (the last answer before a tab closes). */
+  keepalive?: boolean;
+}
+
+type Method = "GET" | "POST" | "PATCH" | "PUT" | "DELETE";
+
+const OFFLINE = "The server did not answer. Check the connection, then try again.";
+
+export const api = {
+  get: <T>(path: string, options?: RequestOptions) => send<T>("GET", path, undefined, options),
+  post: <T>(path: string, body?: unknown, options?: RequestOptions) =>
+    send<T>("POST", path, body, options),
+  patch: <T>(path: string, body?: unknown, options?: RequestOptions) =>
+    send<T>("PATCH", path, body, options),
+  put: <T>(path: string, body?: unknown, options?: RequestOptions) =>
+    send<T>("PUT", path, body, options),
+  delete: <T = void>(path: string, options?: RequestOptions) =>
+    send<T>("DELETE", path, undefined, options),
+  upload,
+  bytes,
+};
+
+async function send<T>(
+  method: Method,
+  path: string,
+  body: unknown,
+  options: RequestOptions = {},
+): Promise<T> {
+  const response = await reach(withQuery(path, options.query), {
+    method,
+    headers: headers(method, body === undefined ? {} : { "Content-Type": "application/json" }),
+    ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+    ...(options.signal ? { signal: options.signal } : {}),
+    ...(options.keepalive ? { keepalive: true } : {}),
+  });
+  const text = await response.text();
+  if (!response.ok) throw errorFrom(response.status, text);
+  return (text ? JSON.parse(text) : undefined) as T;
+}
+
+/** Fetch an asset's bytes, such as a clip's GLB. */
+async function bytes(path: string, signal?: AbortSignal): Promise<ArrayBuffer> {
+  const response = await reach(path, signal ? { signal } : {});
+  if (!response.ok) throw errorFrom(response.status, await response.text());
+  return response.arrayBuffer();
+}
+
+async function reach(path: string, init: RequestInit): Promise<Response> {
+  try {
+    return await fetch(path, { credentials: "same-origin", ...init });
+  } catch (cause) {
+    if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
+    throw new ApiError("offline", OFFLINE, null, null, 0);
+  }
+}
+
+/** Send files. XMLHttpRequest, because fetch cannot tell how much has gone out yet. */
+function upload<T>(
+  path: string,
+  form: FormData,
+  onProgress: (share: number) => void = () => {},
+): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const request = new XMLHttpRequest();
+    request.open("POST", path);
+    for (const [name, value] of Object.entries(headers("POST"))) {
+      request.setRequestHeader(name, value);
+    }
+    request.upload.onprogress = ({ loaded, total }) => onProgress(total ? loaded / total : 0);
+    request.onerror = () => reject(new ApiError("offline", OFFLINE, null, null, 0));
+    request.onload = () => {
+      if (request.status < 200 || request.status > 299) {
+        reject(errorFrom(request.status, request.responseText));
+      } else resolve(JSON.parse(request.responseText) as T);
+    };
+    request.send(form);
+  });
+}
+
+/** The error that a refused response carries; a response in a foreign shape becomes one as well. */
+export function errorFrom(status: number, text: string): ApiError {
+  try {
+    const { error } = JSON.parse(text);
+    const { code, message, where, mend, offer, ...detail } = error;
+    if (typeof message !== "string") throw new TypeError("no message");
+    return new ApiError(String(code), message, where ?? null, mend ?? null, status, offer ?? null, detail);
+  } catch {
+    const message = `The server answered with status ${status} and no explanation.`;
+    return new ApiError("unexplained", message, null, "Try again in a moment.", status);
+  }
+}
+
+function headers(method: Method, extra: Record<string, string> = {}): Record<string, string> {
+  const csrf = document.querySelector<HTMLMetaElement>('meta[name="csrf-token"]')?.content;
+  return {
+    Accept: "application/json",
+    ...extra,
+    ...(csrf && method !== "GET" ? { "X-CSRF-Token": csrf } : {}),
+  };
+}
+
+function withQuery(path: string, query: RequestOptions["query"]): string {
+  const parts = new URLSearchParams();
+  for (const [name, value] of Object.entries(query ?? {})) {
+    if (value !== undefined && value !== null && value !== "") parts.set(name, String(value));
+  }
+  const text = parts.toString();
+  return text ? `${path}?${text}` : path;
+}
