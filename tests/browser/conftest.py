@@ -1,0 +1,87 @@
+"""The real server and a real Chromium."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page
+
+from tests.support.server import Server
+
+DESKTOP = {"width": 1280, "height": 800}
+PHONE = {"width": 390, "height": 844}
+EMAIL, PASSWORD = "researcher@example.org", "a long enough pass phrase"
+
+
+@pytest.fixture(scope="session")
+def browser_type_launch_args(browser_type_launch_args: dict) -> dict:
+    chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
+    return {
+        **browser_type_launch_args,
+        "executable_path": chromium,
+        "args": [
+            "--no-sandbox",
+            "--use-gl=angle",
+            "--use-angle=swiftshader",
+            "--enable-unsafe-swiftshader",
+            "--disable-background-networking",
+            "--disable-component-update",
+            "--disable-sync",
+            "--no-first-run",
+        ],
+    }
+
+
+@pytest.fixture(scope="session")
+def browser_context_args(browser_context_args: dict) -> dict:
+    return {**browser_context_args, "viewport": DESKTOP}
+
+
+@pytest.fixture(scope="session")
+def prepared_data(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """A data folder with the sample library, made once for all workers of the run."""
+    shared = tmp_path_factory.getbasetemp()
+    if worker_id != "master":
+        shared = shared.parent
+    folder = shared / "prepared-data"
+    with (shared / "prepared-data.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (folder / "ready").exists():
+            subprocess.run(
+                [sys.executable, "-m", "app.cli", "prepare"],
+                env={**os.environ, "MANNER_DATA_DIRECTORY": str(folder)},
+                check=True,
+            )
+            (folder / "ready").touch()
+    return folder
+
+
+@pytest.fixture
+def server(prepared_data: Path, tmp_path: Path) -> Iterator[Server]:
+    """A fresh server with the sample library and no researcher yet."""
+    folder = tmp_path / "data"
+    shutil.copytree(prepared_data, folder)
+    server = Server(folder)
+    server.start()
+    yield server
+    server.stop()
+
+
+@pytest.fixture
+def research_page(server: Server, page: Page) -> Page:
+    """A page whose user has set the server up and is signed in as its researcher."""
+    page.goto(server.set_up_link)
+    page.get_by_label("Name").fill("A Researcher")
+    page.get_by_label("Email").fill(EMAIL)
+    for field in page.locator("input[type=password]").all():
+        field.fill(PASSWORD)
+    page.locator("form button[type=submit]").first.click()
+    page.wait_for_url("**/research**")
+    return page

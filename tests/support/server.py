@@ -1,0 +1,104 @@
+"""The real server as a process that tests may kill and start again."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from dataclasses import dataclass, field
+from pathlib import Path
+
+START_SECONDS = 40
+SET_UP_LINK = re.compile(r"http://\S+/research/set-up/\S+")
+
+
+def free_port() -> int:
+    """A port of 127.0.0.1 that nobody listens on."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+@dataclass
+class Server:
+    """One ``manner serve`` on a free port of 127.0.0.1, with a data folder of its own."""
+
+    data_directory: Path
+    port: int = field(default_factory=free_port)
+    environment: dict[str, str] = field(default_factory=dict)
+    process: subprocess.Popen[bytes] | None = None
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}"
+
+    @property
+    def log(self) -> str:
+        """Everything that the server has printed, over all its lives."""
+        return self._log_file.read_text(errors="replace")
+
+    @property
+    def set_up_link(self) -> str:
+        """The one-time link that the first start prints in the terminal."""
+        match = SET_UP_LINK.search(self.log)
+        assert match, f"no set-up link was printed:\n{self.log}"
+        return match.group()
+
+    @property
+    def _log_file(self) -> Path:
+        return self.data_directory / "server.log"
+
+    def start(self) -> None:
+        with self._log_file.open("ab") as log:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", "app.cli", "serve", "--port", str(self.port)],
+                env={
+                    **os.environ,
+                    "MANNER_DATA_DIRECTORY": str(self.data_directory),
+                    "MANNER_PUBLIC_URL": self.url,
+                    **self.environment,
+                },
+                stdout=log,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+        self._wait_until_healthy()
+
+    def kill(self) -> None:
+        """SIGKILL: no time to flush, drain or say goodbye."""
+        self._end(signal.SIGKILL)
+
+    def stop(self) -> None:
+        """SIGTERM: the server may drain what it holds."""
+        self._end(signal.SIGTERM)
+
+    def restart(self) -> None:
+        if self.process is not None:
+            self.kill()
+        self.start()
+
+    def _end(self, how: signal.Signals) -> None:
+        if self.process is None:
+            return
+        os.killpg(self.process.pid, how)
+        self.process.wait(timeout=20)
+        self.process = None
+
+    def _wait_until_healthy(self) -> None:
+        deadline = time.monotonic() + START_SECONDS
+        while time.monotonic() < deadline:
+            if self.process is None or self.process.poll() is not None:
+                raise AssertionError(f"the server ended while starting:\n{self.log}")
+            try:
+                with urllib.request.urlopen(f"{self.url}/health", timeout=2) as answer:
+                    if answer.status == 200:
+                        return
+            except (urllib.error.URLError, OSError):
+                time.sleep(0.1)
+        raise AssertionError(f"the server was not healthy in {START_SECONDS} s:\n{self.log}")
