@@ -1,0 +1,1 @@
+"""Manner's web server: routes → services → persistence, motion, statistics, figures."""

@@ -1,0 +1,72 @@
+"""Puts the server together."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from importlib.metadata import version
+from pathlib import Path
+
+from fastapi import FastAPI
+from starlette.middleware.gzip import GZipMiddleware
+
+from app import error_handling
+from app.assets import Assets, BuiltFiles
+from app.logs import LogMiddleware, configure_logs
+from app.pages import make_templates
+from app.persistence.engine import Database, make_engine
+from app.routes import health, research_auth
+from app.security import (
+    AttemptLimiter,
+    BodyLimitMiddleware,
+    CsrfMiddleware,
+    HeadersMiddleware,
+    SignInCookies,
+)
+from app.settings import PROJECT, Settings
+
+BUILT = PROJECT / "static" / "dist"
+ROUTERS = (
+    health.router,
+    research_auth.router,
+)
+
+
+def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI:
+    """The server with these settings (or the environment's) and this built front end."""
+    settings = settings or Settings()
+    configure_logs(settings)
+    app = FastAPI(
+        title="Manner",
+        version=version("manner"),
+        openapi_url="/api/v1/openapi.json",
+        docs_url=None,  # their scripts come from elsewhere, which the content policy forbids
+        redoc_url=None,
+        lifespan=_lifespan,
+    )
+    app.state.settings = settings
+    app.state.database = Database(make_engine(settings.database))
+    app.state.templates = make_templates(Assets(built))
+    app.state.sign_in_cookies = SignInCookies(settings)
+    app.state.attempt_limiter = AttemptLimiter(settings.sign_in_attempts)
+    error_handling.install(app)
+    _add_middleware(app, settings)
+    for router in ROUTERS:
+        app.include_router(router)
+    app.mount("/static", BuiltFiles(directory=built, check_dir=False), name="static")
+    return app
+
+
+@asynccontextmanager
+async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
+    yield
+    app.state.database.engine.dispose()
+
+
+def _add_middleware(app: FastAPI, settings: Settings) -> None:
+    # The last one added is the outermost.
+    app.add_middleware(CsrfMiddleware, settings.signing_key, settings.secure)
+    app.add_middleware(BodyLimitMiddleware, settings.request_limit, settings.upload_limit)
+    app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=6)
+    app.add_middleware(LogMiddleware)
+    app.add_middleware(HeadersMiddleware, settings.secure)

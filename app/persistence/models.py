@@ -1,0 +1,219 @@
+"""The tables. Times are UTC; contents are found by their SHA-256."""
+
+from __future__ import annotations
+
+import uuid
+from datetime import UTC, datetime
+from typing import Any
+
+from sqlalchemy import (
+    JSON,
+    BigInteger,
+    Dialect,
+    ForeignKey,
+    Integer,
+    LargeBinary,
+    MetaData,
+    String,
+    Text,
+    TypeDecorator,
+    UniqueConstraint,
+)
+from sqlalchemy import DateTime as SqlDateTime
+from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column, relationship
+
+
+def now() -> datetime:
+    """The present moment, UTC."""
+    return datetime.now(UTC)
+
+
+class UtcDateTime(TypeDecorator[datetime]):
+    """An aware UTC datetime, also from SQLite, which forgets the zone."""
+
+    impl = SqlDateTime(timezone=True)
+    cache_ok = True
+
+    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:
+        """Refuse times without a zone; store the others as UTC."""
+        if value is None:
+            return None
+        if value.tzinfo is None:
+            raise ValueError("A stored time needs its time zone.")
+        return value.astimezone(UTC)
+
+    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:
+        """Give back an aware time."""
+        if value is None:
+            return None
+        return value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
+
+
+class Base(DeclarativeBase):
+    """All tables, with constraint names that Alembic can find again on every database."""
+
+    metadata = MetaData(
+        naming_convention={
+            "ix": "ix_%(table_name)s_%(column_0_N_name)s",
+            "uq": "uq_%(table_name)s_%(column_0_N_name)s",
+            "ck": "ck_%(table_name)s_%(constraint_name)s",
+            "fk": "fk_%(table_name)s_%(column_0_N_name)s_%(referred_table_name)s",
+            "pk": "pk_%(table_name)s",
+        }
+    )
+    type_annotation_map = {  # noqa: RUF012 -- SQLAlchemy reads it from the class
+        datetime: UtcDateTime,
+        dict[str, Any]: JSON(none_as_null=True),
+        dict[str, str]: JSON(none_as_null=True),
+        dict[str, int]: JSON(none_as_null=True),
+    }
+
+
+class Researcher(Base):
+    """A person who may sign in."""
+
+    __tablename__ = "researchers"
+
+    id: Mapped[int] = mapped_column(primary_key=True)
+    email: Mapped[str] = mapped_column(String(254), unique=True)
+    name: Mapped[str] = mapped_column(String(200))
+    password_hash: Mapped[str] = mapped_column(String(200))
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class SetupToken(Base):
+    """A one-time link by which a researcher's account is made; only its hash is kept."""
+
+    __tablename__ = "setup_tokens"
+
+    token_hash: Mapped[str] = mapped_column(String(64), primary_key=True)
+    created_at: Mapped[datetime] = mapped_column(default=now)
+    used_at: Mapped[datetime | None]
+
+
+class Blob(Base):
+    """Bytes, addressed by their SHA-256."""
+
+    __tablename__ = "blobs"
+
+    hash: Mapped[str] = mapped_column(String(64), primary_key=True)
+    media_type: Mapped[str] = mapped_column(String(100))
+    content: Mapped[bytes] = mapped_column(LargeBinary, deferred=True)
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class FigureRecord(Base):
+    """The mannequin of one skeleton, made once."""
+
+    __tablename__ = "figures"
+
+    skeleton_hash: Mapped[str] = mapped_column(String(64), primary_key=True)
+    glb_blob: Mapped[str] = mapped_column(ForeignKey("blobs.hash"))
+    engine_version: Mapped[str] = mapped_column(String(64))
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class ClipRecord(Base):
+    """One motion of the library.
+
+    Attributes:
+        id: the clip's content hash.
+        source: ``sample`` or ``imported``.
+        state: ``kept``, ``to_confirm`` (imported, its report not yet confirmed) or ``retired``
+            (a sample that a newer engine makes differently; answers still refer to it).
+        frame_time: seconds; duration: seconds; stature: metres; poster_time: seconds.
+        clip_blob: the lossless clip; glb_blob: what the viewer plays; source_blob: the BVH file.
+    """
+
+    __tablename__ = "clips"
+
+    id: Mapped[str] = mapped_column(String(64), primary_key=True)
+    name: Mapped[str] = mapped_column(String(200))
+    source: Mapped[str] = mapped_column(String(20))
+    state: Mapped[str] = mapped_column(String(20), index=True)
+    skeleton_hash: Mapped[str] = mapped_column(String(64), index=True)
+    frames: Mapped[int]
+    frame_time: Mapped[float]
+    duration: Mapped[float]
+    cyclic: Mapped[bool]
+    stature: Mapped[float]
+    poster_time: Mapped[float]
+    tags: Mapped[dict[str, str]] = mapped_column(default=dict)
+    report: Mapped[dict[str, Any] | None]
+    clip_blob: Mapped[str] = mapped_column(ForeignKey("blobs.hash"))
+    glb_blob: Mapped[str] = mapped_column(ForeignKey("blobs.hash"))
+    source_blob: Mapped[str | None] = mapped_column(ForeignKey("blobs.hash"))
+    engine_version: Mapped[str] = mapped_column(String(64))
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class Study(Base):
+    """A study: its definition is the validated study file."""
+
+    __tablename__ = "studies"
+
+    id: Mapped[int] = mapped_column(primary_key=True)
+    slug: Mapped[str] = mapped_column(String(100), unique=True)
+    title: Mapped[str] = mapped_column(String(200))
+    definition: Mapped[dict[str, Any]]
+    definition_hash: Mapped[str] = mapped_column(String(64))
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class StudySession(Base):
+    """One participant's way through a study.
+
+    A withdrawal leaves this row as a tombstone: state ``withdrawn``, every other datum emptied.
+
+    Attributes:
+        token_hash: SHA-256 of the secret in the participant's address.
+        seed: from which the plan was drawn.
+        plan: the trials in this participant's order.
+        state: ``active``, ``complete`` or ``withdrawn``.
+    """
+
+    __tablename__ = "sessions"
+
+    id: Mapped[uuid.UUID] = mapped_column(primary_key=True, default=uuid.uuid4)
+    study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), index=True)
+    token_hash: Mapped[str] = mapped_column(String(64), unique=True)
+    seed: Mapped[int | None] = mapped_column(BigInteger)
+    plan: Mapped[dict[str, Any] | None]
+    state: Mapped[str] = mapped_column(String(20), default="active")
+    consent_version: Mapped[str | None] = mapped_column(String(64))
+    consented_at: Mapped[datetime | None]
+    completed_at: Mapped[datetime | None]
+    withdrawn_at: Mapped[datetime | None]
+    completion_code: Mapped[str | None] = mapped_column(String(40))
+    user_agent_class: Mapped[str | None] = mapped_column(String(40))
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+    study: Mapped[Study] = relationship()
+
+
+class Response(Base):
+    """One answer. Never updated: a changed answer is a new revision, and the newest counts.
+
+    Attributes:
+        answers: scale to value; comment: free text; rt_ms: from the trial's start to the answer.
+        record: how the trial was viewed.
+        fingerprint: SHA-256 of the request, by which a repeated request is known.
+    """
+
+    __tablename__ = "responses"
+    __table_args__ = (UniqueConstraint("session_id", "trial_index", "revision"),)
+
+    id: Mapped[int] = mapped_column(
+        BigInteger().with_variant(Integer, "sqlite"), primary_key=True, autoincrement=True
+    )
+    session_id: Mapped[uuid.UUID] = mapped_column(ForeignKey("sessions.id", ondelete="CASCADE"))
+    trial_index: Mapped[int]
+    revision: Mapped[int]
+    clip_id: Mapped[str] = mapped_column(ForeignKey("clips.id"), index=True)
+    practice: Mapped[bool]
+    answers: Mapped[dict[str, int]]
+    comment: Mapped[str] = mapped_column(Text, default="")
+    rt_ms: Mapped[float]
+    record: Mapped[dict[str, Any]]
+    fingerprint: Mapped[str] = mapped_column(String(64))
+    received_at: Mapped[datetime] = mapped_column(default=now)

@@ -1,0 +1,1 @@
+"""Thin: request → one service call → response."""
