@@ -1,0 +1,1 @@
+"""Human walking made by code: bodies, gait signals, styles and the sample library."""
