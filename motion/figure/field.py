@@ -1,0 +1,213 @@
+"""Shapes as distance fields: below zero inside, near the surface the distance in metres.
+
+Every shape answers ``distance(points (N, 3)) -> (N,)`` and knows the box around it. Away from the
+surface an ellipse-like shape's value is a first-order estimate, which is what smooth unions and
+Newton steps need; far away, beyond any blend, only the box counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import PchipInterpolator
+
+from motion.figure.profile import FootRing, Ring
+
+Array = NDArray[np.float64]
+
+REACH = 0.1  # metres: beyond this a shape's value is its box's distance; above any blend's radius
+_SAMPLES = 400
+_TINY = 1e-9
+
+
+class Shape(Protocol):
+    """Anything with a distance."""
+
+    def distance(self, points: Array) -> Array:
+        """Signed distances (N,) of points (N, 3), metres."""
+        ...
+
+
+def smooth_min(a: Array, b: Array, radius: float) -> Array:
+    """Union whose crease is filled over ``radius`` (polynomial smooth minimum)."""
+    if radius <= 0:
+        return np.minimum(a, b)
+    h = np.maximum(radius - np.abs(a - b), 0.0)
+    return np.minimum(a, b) - h * h / (4.0 * radius)
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """A place and axes (columns of a rotation matrix) in which a shape is described."""
+
+    origin: Array
+    axes: Array
+
+    def local(self, points: Array) -> Array:
+        """World points (N, 3) in this frame."""
+        return (points - self.origin) @ self.axes
+
+    def world(self, points: Array) -> Array:
+        """Points (N, 3) of this frame in the world."""
+        return self.origin + points @ self.axes.T
+
+
+def _within(
+    frame: Frame, low: Array, high: Array, points: Array
+) -> tuple[Array, Array, NDArray[np.intp]]:
+    """Distances to a box (N,), and the local points near enough to need more than that."""
+    local = frame.local(points)
+    outside = np.maximum(np.maximum(low - local, local - high), 0.0)
+    far = np.sqrt(np.einsum("ij,ij->i", outside, outside))
+    near = np.flatnonzero(far < REACH)
+    return far, local[near], near
+
+
+class Loft:
+    """A stack of super-ellipse rings along y of a frame, with rounded caps.
+
+    Local x is sideways, y along (growing from ring to ring), z forward.
+    """
+
+    def __init__(self, frame: Frame, rings: Sequence[Ring], caps: tuple[float, float]) -> None:
+        self.frame = frame
+        at = np.array([ring.at for ring in rings])
+        values = np.array([[r.w, r.f, r.b, r.x, r.z, r.n] for r in rings])
+        self.start, self.end = float(at[0]), float(at[-1])
+        even = np.linspace(self.start, self.end, _SAMPLES)
+        self.table = PchipInterpolator(at, values, axis=0)(even)
+        self.step = (self.end - self.start) / (_SAMPLES - 1)
+        self.round = bool(np.all(values[:, 5] == 2.0))
+        self.caps = caps
+        reach = np.abs(self.table[:, 3]) + self.table[:, 0]
+        depth = np.abs(self.table[:, 4]) + self.table[:, 1:3].max(axis=1)
+        self.low = np.array([-reach.max(), self.start - caps[0], -depth.max()])
+        self.high = np.array([reach.max(), self.end + caps[1], depth.max()])
+
+    def distance(self, points: Array) -> Array:
+        """Signed distances (N,) of points (N, 3), metres."""
+        result, local, near = _within(self.frame, self.low, self.high, points)
+        if len(near):
+            result[near] = self._near(local)
+        return result
+
+    def _near(self, local: Array) -> Array:
+        inside = np.clip(local[:, 1], self.start, self.end)
+        beyond = local[:, 1] - inside
+        position = (inside - self.start) / self.step
+        index = np.minimum(position.astype(np.intp), _SAMPLES - 2)
+        share = (position - index)[:, None]
+        values = self.table[index] * (1.0 - share) + self.table[index + 1] * share
+        w, front, back, x, z, n = values.T
+        across = local[:, 0] - x
+        ahead = local[:, 2] - z
+        depth = np.where(ahead > 0, front, back)
+        cap = np.where(beyond < 0, self.caps[0], self.caps[1])
+        return _superellipse(across, beyond, ahead, (w, cap, depth), None if self.round else n)
+
+
+def _superellipse(
+    x: Array, y: Array, z: Array, radii: tuple[Array, Array, Array], n: Array | None
+) -> Array:
+    """First-order distances to |x/a|ⁿ + |y/b|ⁿ + |z/c|ⁿ = 1: (k − 1) / |∇k|, k the norm."""
+    parts = [np.abs(v) / r + _TINY for v, r in zip((x, y, z), radii, strict=True)]
+    if n is None:
+        norm = np.sqrt(sum(part * part for part in parts))
+        slopes = [part / norm / r for part, r in zip(parts, radii, strict=True)]
+    else:
+        norm = sum(part**n for part in parts) ** (1.0 / n)
+        slopes = [(part / norm) ** (n - 1.0) / r for part, r in zip(parts, radii, strict=True)]
+    return (norm - 1.0) / np.sqrt(sum(slope * slope for slope in slopes))
+
+
+class EllipsoidShape:
+    """An ellipsoid along the axes of a frame."""
+
+    def __init__(self, frame: Frame, centre: Array, radii: Array) -> None:
+        self.frame = Frame(frame.world(centre), frame.axes)
+        self.radii = radii
+
+    def distance(self, points: Array) -> Array:
+        """Signed distances (N,) of points (N, 3), metres."""
+        result, local, near = _within(self.frame, -self.radii, self.radii, points)
+        if len(near):
+            x, y, z = local.T
+            a, b, c = (np.full(len(near), r) for r in self.radii)
+            result[near] = _superellipse(x, y, z, (a, b, c), None)
+        return result
+
+
+class RoundCone:
+    """A ball that grows or shrinks on its way from one point to another."""
+
+    def __init__(self, start: Array, end: Array, radii: tuple[float, float]) -> None:
+        self.start, self.way = start, end - start
+        self.radii = radii
+        widest = max(radii)
+        self.frame = Frame(np.zeros(3), np.eye(3))
+        self.low = np.minimum(start, end) - widest
+        self.high = np.maximum(start, end) + widest
+
+    def distance(self, points: Array) -> Array:
+        """Signed distances (N,) of points (N, 3), metres."""
+        result, local, near = _within(self.frame, self.low, self.high, points)
+        if len(near):
+            from_start = local - self.start
+            share = np.clip(from_start @ self.way / (self.way @ self.way), 0.0, 1.0)
+            gap = from_start - share[:, None] * self.way
+            radius = self.radii[0] + (self.radii[1] - self.radii[0]) * share
+            result[near] = np.sqrt(np.einsum("ij,ij->i", gap, gap)) - radius
+        return result
+
+
+class FootShape:
+    """Rings along z of a frame whose origin lies on the sole, under the ankle; flat at y = 0."""
+
+    def __init__(
+        self, frame: Frame, rings: Sequence[FootRing], exponent: float, edge: float
+    ) -> None:
+        self.edge = edge
+        # The loft runs along its own y, so the foot's forward becomes y and its up −z.
+        turn = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+        self.frame = frame
+        sections = []
+        for ring in rings:
+            widest = 0.3 * ring.top  # where a section is widest, above the floor
+            below = widest + 1.6 * edge
+            sections.append(
+                Ring(ring.ahead, ring.w, below, ring.top - widest, 0.0, -widest, exponent)
+            )
+        cap = edge
+        self.loft = Loft(Frame(frame.origin, frame.axes @ turn), sections, (cap, cap))
+
+    def distance(self, points: Array) -> Array:
+        """Signed distances (N,) of points (N, 3), metres."""
+        under = -(points - self.frame.origin) @ self.frame.axes[:, 1]
+        return -smooth_min(-self.loft.distance(points), -under, self.edge)
+
+
+def gradient(shape: Shape, points: Array, step: float = 5e-4) -> Array:
+    """Central differences (N, 3) of a shape's distance."""
+    count = len(points)
+    shifts = np.concatenate([np.eye(3), -np.eye(3)]) * step
+    values = shape.distance((points[None] + shifts[:, None]).reshape(-1, 3)).reshape(6, count)
+    return ((values[:3] - values[3:]) / (2.0 * step)).T
+
+
+class Union:
+    """Shapes joined one after the other, each to all before it, with its own fillet."""
+
+    def __init__(self, first: Shape, *joined: tuple[Shape, float]) -> None:
+        self.first = first
+        self.joined = joined
+
+    def distance(self, points: Array) -> Array:
+        """Signed distances (N,) of points (N, 3), metres."""
+        result = self.first.distance(points)
+        for shape, radius in self.joined:
+            result = smooth_min(result, shape.distance(points), radius)
+        return result
