@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 from app.errors import SignInNeededError
 from app.persistence.engine import Database
 from app.persistence.models import Researcher
+from app.persistence.writer import Writer
 from app.security import AttemptLimiter, SignInCookies
 from app.services import researchers
 from app.settings import Settings
@@ -36,8 +37,14 @@ def _writing(database: Annotated[Database, Depends(_database)]) -> Iterator[Sess
         yield session
 
 
+async def _writer(request: Request) -> Writer:  # async: a plain function would cost a thread
+    writer: Writer = request.app.state.writer
+    return writer
+
+
 CurrentSettings = Annotated[Settings, Depends(_settings)]
 CurrentDatabase = Annotated[Database, Depends(_database)]
+CurrentWriter = Annotated[Writer, Depends(_writer)]
 Reading = Annotated[Session, Depends(_reading)]
 Writing = Annotated[Session, Depends(_writing)]
 

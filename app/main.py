@@ -15,7 +15,8 @@ from app.assets import Assets, BuiltFiles
 from app.logs import LogMiddleware, configure_logs
 from app.pages import make_templates
 from app.persistence.engine import Database, make_engine
-from app.routes import health, research_auth
+from app.persistence.writer import Writer
+from app.routes import health, participant, research, research_auth, sessions_api
 from app.security import (
     AttemptLimiter,
     BodyLimitMiddleware,
@@ -29,6 +30,10 @@ BUILT = PROJECT / "static" / "dist"
 ROUTERS = (
     health.router,
     research_auth.router,
+    participant.router,
+    sessions_api.router,
+    research.router,
+    research.api,
 )
 
 
@@ -59,7 +64,9 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
 
 @asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
+    app.state.writer = Writer(app.state.database)
     yield
+    app.state.writer.close()  # what was handed in is still stored
     app.state.database.engine.dispose()
 
 

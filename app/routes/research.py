@@ -1,0 +1,97 @@
+"""The researchers' pages: their studies, one study's results, its raw answers and figures.
+
+What the templates of `templates/research/` are given:
+
+- `studies.html`: studies, a list of {slug, title, complete, active, withdrawn}; section "studies";
+- `results.html`: results (StudyResults, documented in `app/schemas/results.py`); counts (its
+  counts); charts, name to {"light": Vega-Lite specification, "dark": the same}, two an axis:
+  `shares-<axis>` and `means-<axis>`, none while fewer than `results.needed` are complete; study
+  {slug, title}; section "results". Printed charts: `figures/<name>.svg?mode=light|dark`. The other
+  comparison: `?against=all` (the thesis: all clips of the body) or `others`. Columns whose numbers
+  are None mean "needs five";
+- `counts.html`: counts and study, a fragment that the results page asks for anew while it is open.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from fastapi import APIRouter, Request
+from fastapi.responses import RedirectResponse, Response, StreamingResponse
+
+from app.dependencies import CurrentDatabase, Reading, SignedIn
+from app.pages import render
+from app.schemas.errors import ErrorResponse
+from app.schemas.results import StudyResults
+from app.services import charts, exports, studies
+from app.services import results as results_service
+
+router = APIRouter(prefix="/research", include_in_schema=False)
+api = APIRouter(prefix="/api/v1/studies", tags=["studies"])
+
+Against = Literal["others", "all"]
+Mode = Literal["light", "dark"]
+
+
+@router.get("")
+def show_studies(request: Request, _: SignedIn, db: Reading) -> Response:
+    """Every study with its counts."""
+    return render(request, "research/studies.html", studies=studies.overview(db), section="studies")
+
+
+@router.get("/results")
+def show_first_results(_: SignedIn, db: Reading) -> Response:
+    """The results of the only study; with several, the list to choose from."""
+    found = studies.overview(db)
+    address = f"/research/studies/{found[0].slug}" if len(found) == 1 else "/research"
+    return RedirectResponse(address, 303)
+
+
+@router.get("/studies/{slug}")
+def show_results(
+    request: Request, _: SignedIn, slug: str, db: Reading, against: Against = "others"
+) -> Response:
+    """The results page."""
+    found = results_service.results(db, slug, against)
+    return render(
+        request, "research/results.html", results=found, counts=found.counts, study=found,
+        charts=charts.page_charts(found), section="results",
+    )  # fmt: skip
+
+
+@router.get("/studies/{slug}/counts")
+def show_counts(request: Request, _: SignedIn, slug: str, db: Reading) -> Response:
+    """The live counts alone."""
+    study = studies.find(db, slug)
+    return render(
+        request, "research/counts.html", counts=results_service.counts(db, slug), study=study
+    )
+
+
+@router.get("/studies/{slug}/responses.csv")
+def download_responses(_: SignedIn, slug: str, database: CurrentDatabase) -> StreamingResponse:
+    """The raw answers, one row an answer."""
+    return StreamingResponse(
+        exports.responses_csv(database, slug),
+        media_type="text/csv; charset=utf-8",
+        headers={"Content-Disposition": f'attachment; filename="{slug}-responses.csv"'},
+    )
+
+
+@router.get("/studies/{slug}/figures/{name}.svg")
+def show_figure(_: SignedIn, slug: str, name: str, db: Reading, mode: Mode = "light") -> Response:
+    """One chart for print."""
+    found = results_service.results(db, slug)
+    return Response(charts.printed(found, name, mode), media_type="image/svg+xml")
+
+
+@api.get(
+    "/{slug}/results",
+    responses={
+        401: {"model": ErrorResponse, "description": "A researcher must sign in first."},
+        404: {"model": ErrorResponse, "description": "There is no such study."},
+    },
+)
+def read_results(_: SignedIn, slug: str, db: Reading, against: Against = "others") -> StudyResults:
+    """All numbers of the results page."""
+    return results_service.results(db, slug, against)

@@ -1,0 +1,55 @@
+"""What a participant's page asks of the server. The token in the address is all the authority."""
+
+from __future__ import annotations
+
+from asyncio import wrap_future
+from functools import partial
+from typing import Any
+
+from fastapi import APIRouter, Response
+
+from app.dependencies import CurrentWriter, Reading
+from app.schemas.errors import ErrorResponse
+from app.schemas.sessions import Answer, AnswerReceipt, Completion, SessionView
+from app.services import answers, sessions
+
+router = APIRouter(prefix="/api/v1/sessions/{token}", tags=["sessions"])
+
+Documented = dict[int | str, dict[str, Any]]
+NOT_FOUND: Documented = {
+    404: {"model": ErrorResponse, "description": "The personal link is not known."}
+}
+CONFLICT: Documented = {
+    409: {"model": ErrorResponse, "description": "It contradicts what is stored."}
+}
+
+
+@router.get("", responses={**NOT_FOUND})
+def show_session(token: str, db: Reading) -> SessionView:
+    """The study, this participant's trials in order, the answers so far and where to go on."""
+    return sessions.view(db, token)
+
+
+@router.post(
+    "/responses",
+    status_code=201,
+    responses={
+        200: {"model": AnswerReceipt, "description": "The same answer was stored before."},
+        **NOT_FOUND,
+        **CONFLICT,
+    },
+)
+async def record_response(
+    token: str, answer: Answer, writer: CurrentWriter, response: Response
+) -> AnswerReceipt:
+    """Store one answer. Acknowledged only once it is on the disk; safe to send again."""
+    job = partial(answers.record, token=token, answer=answer)
+    receipt, new = await wrap_future(writer.submit(job))
+    response.status_code = 201 if new else 200
+    return receipt
+
+
+@router.post("/complete", responses={**NOT_FOUND, **CONFLICT})
+async def complete(token: str, writer: CurrentWriter) -> Completion:
+    """Close the session once every clip has an answer, and give the completion code."""
+    return await wrap_future(writer.submit(partial(sessions.complete, token=token)))

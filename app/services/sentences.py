@@ -1,0 +1,45 @@
+"""Results in words, as the American Psychological Association writes them."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+SIGNIFICANT = 0.05
+
+
+def number(value: float, digits: int = 2, *, signed: bool = False) -> str:
+    """A rounded number with a true minus sign; minus zero is zero."""
+    rounded = round(value, digits) + 0.0
+    return f"{rounded:{'+' if signed else ''}.{digits}f}".replace("-", "−")
+
+
+def p_value(p: float) -> str:
+    """Without the leading zero, three digits: ``= .004`` or ``< .001``."""
+    if p < 0.001:
+        return "< .001"
+    return "= 1.000" if round(p, 3) >= 1 else f"= {p:.3f}".replace("0.", ".", 1)
+
+
+def best_clip(
+    *, label: str, more: str, against: Literal["others", "all"],
+    t: float, df: float, p_holm: float, d: float, low: float, high: float,
+) -> str:  # fmt: skip
+    """One row of "Is every emotion seen?". `more` is the pole's comparative, such as sadder."""
+    rest = "the same body's other clips" if against == "others" else "all clips of the same body"
+    finding = (
+        f"The clip “{label}” was seen as {more} than {rest}"
+        if p_holm < SIGNIFICANT
+        else f"No clip was reliably seen as {more} than {rest}; the nearest was “{label}”"
+    )
+    return (
+        f"{finding}, Welch's t({number(df, 1)}) = {number(t)}, p {p_value(p_holm)} after Holm's "
+        f"correction, d = {number(d)}, 95 % CI [{number(low)}, {number(high)}]."
+    )
+
+
+def extremes(left: tuple[str, str, float], right: tuple[str, str, float]) -> str:
+    """Which clip lies nearest to each pole of an axis: (pole, clip's label, mean) of either."""
+    told = [
+        f"“{label}” nearest to {pole} (M = {number(mean)})" for pole, label, mean in (left, right)
+    ]
+    return f"On average {told[0]}, {told[1]}."
