@@ -5,6 +5,8 @@ Every function works over any leading axes. Quaternions are unit, ``wxyz``.
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
@@ -51,7 +53,7 @@ def rotate(quaternions: Array, vectors: Array) -> Array:
 
 
 def from_axis_angle(axis: Array, angle: Array | float) -> Array:
-    """Quaternions (..., 4) for turns by ``angle`` (...) rad about the unit vectors ``axis`` (..., 3)."""
+    """Quaternions (..., 4) for turns by ``angle`` (...) rad about unit vectors ``axis`` (..., 3)."""
     half = np.asarray(angle, dtype=float)[..., None] / 2.0
     vector = np.sin(half) * axis
     scalar = np.broadcast_to(np.cos(half), (*vector.shape[:-1], 1))
@@ -94,9 +96,10 @@ def from_euler(angles: Array, order: str) -> Array:
 
 
 def to_euler(quaternions: Array, order: str) -> Array:
-    """Intrinsic Euler angles (..., 3) rad in ``order`` (three letters); any gimbal choice is valid."""
+    """Intrinsic Euler angles (..., 3) rad in ``order`` (three letters), any at gimbal lock."""
     flat = quaternions.reshape(-1, 4)[:, _WXYZ_TO_XYZW]
-    angles = Rotation.from_quat(flat).as_euler(order.upper(), suppress_warnings=True)
+    axes = cast(Any, order.upper())  # SciPy's stubs list the orders one by one
+    angles = Rotation.from_quat(flat).as_euler(axes, suppress_warnings=True)
     return angles.reshape(*quaternions.shape[:-1], 3)
 
 
@@ -143,7 +146,7 @@ def _carry_forward(quaternions: Array, good: NDArray[np.bool_]) -> Array:
 
 
 def make_continuous(quaternions: Array) -> Array:
-    """The same rotations (T, ..., 4) with signs chosen so that no frame jumps to the double cover."""
+    """The same rotations (T, ..., 4), signs chosen so that no frame jumps to the double cover."""
     if len(quaternions) < 2:
         return quaternions
     dots = np.sum(quaternions[1:] * quaternions[:-1], axis=-1)
@@ -154,7 +157,9 @@ def make_continuous(quaternions: Array) -> Array:
 def angle_between(first: Array, second: Array) -> Array:
     """Angles (...) rad in [0, π] of the turns that lead from ``first`` to ``second``."""
     difference = multiply(conjugate(first), second)
-    return 2.0 * np.arctan2(np.linalg.norm(difference[..., 1:], axis=-1), np.abs(difference[..., 0]))
+    return 2.0 * np.arctan2(
+        np.linalg.norm(difference[..., 1:], axis=-1), np.abs(difference[..., 0])
+    )
 
 
 def slerp(first: Array, second: Array, share: Array | float) -> Array:
@@ -180,4 +185,3 @@ def between(first: Array, second: Array) -> Array:
     opposite = w < 1e-9
     axis = np.where(opposite, np.cross(first, helper), axis)
     return normalise(np.concatenate([np.where(opposite, 0.0, w), axis], axis=-1))
-
