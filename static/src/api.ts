@@ -50,6 +50,7 @@ export const api = {
     send<T>("DELETE", path, undefined, options),
   upload,
   bytes,
+  page,
 };
 
 async function send<T>(
@@ -70,11 +71,39 @@ async function send<T>(
   return (text ? JSON.parse(text) : undefined) as T;
 }
 
-/** Fetch an asset's bytes, such as a clip's GLB. */
-async function bytes(path: string, signal?: AbortSignal): Promise<ArrayBuffer> {
+/** Fetch an asset's bytes, such as a clip's GLB; `onShare` hears how much of it is there, from 0 to 1. */
+async function bytes(
+  path: string,
+  signal?: AbortSignal,
+  onShare?: (share: number) => void,
+): Promise<ArrayBuffer> {
   const response = await reach(path, signal ? { signal } : {});
   if (!response.ok) throw errorFrom(response.status, await response.text());
-  return response.arrayBuffer();
+  return onShare && response.body ? metered(response, onShare) : response.arrayBuffer();
+}
+
+async function metered(response: Response, onShare: (share: number) => void): Promise<ArrayBuffer> {
+  const total = Number(response.headers.get("Content-Length"));
+  let loaded = 0;
+  const meter = new TransformStream<Uint8Array, Uint8Array>({
+    transform(chunk, controller) {
+      loaded += chunk.byteLength;
+      // The length counts compressed bytes, the chunks count plain ones.
+      if (total) onShare(Math.min(1, loaded / total));
+      controller.enqueue(chunk);
+    },
+  });
+  return new Response(response.body?.pipeThrough(meter)).arrayBuffer();
+}
+
+/** Fetch a piece of a page, parsed but not yet in the document; its scripts do not run. */
+async function page(path: string): Promise<DocumentFragment> {
+  const response = await reach(path, { headers: { Accept: "text/html" } });
+  const text = await response.text();
+  if (!response.ok || response.redirected) throw errorFrom(response.status, "");
+  const fragment = document.createDocumentFragment();
+  fragment.append(...new DOMParser().parseFromString(text, "text/html").body.childNodes);
+  return fragment;
 }
 
 async function reach(path: string, init: RequestInit): Promise<Response> {

@@ -1,1 +1,6 @@
-export {};
+import "../styles/library.css";
+import "../styles/clip.css";
+import "../viewer";
+import { copyButtons } from "../results/copy";
+
+copyButtons();

@@ -1,1 +1,2 @@
-export {};
+import "../styles/library.css";
+import "../library/clip_library";

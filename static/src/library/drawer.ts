@@ -1,0 +1,54 @@
+// The drawer beside the library: the report of one import, or why it was refused.
+import { html, nothing, type TemplateResult } from "lit";
+import { icon } from "../icons";
+import { correctionsForm, type Corrections } from "./corrections";
+import { failure } from "./failure";
+import type { Imported, ImportItem } from "./imports";
+import { counted } from "./model";
+import * as report from "./report";
+import "./measured_figure";
+
+export interface DrawerActs {
+  correcting: boolean;
+  /** Other imports that wait to be looked at. */
+  others: number;
+  keep(): void;
+  discard(): void;
+  leaveOut(): void;
+  close(): void;
+  change(on: boolean): void;
+  correct(corrections: Corrections): void;
+  retry(options: Record<string, unknown>): void;
+}
+
+export function drawer(item: ImportItem, acts: DrawerActs): TemplateResult {
+  const escape = (event: KeyboardEvent) => event.key === "Escape" && acts.close();
+  return html`<aside class="drawer" aria-label="Import report" @keydown=${escape}>
+    ${item.result ? imported(item.result, acts) : failure(item, acts.retry, acts.leaveOut)}
+  </aside>`;
+}
+
+function imported(result: Imported, acts: DrawerActs): TemplateResult {
+  return html`${heading(result, acts)}
+    <measured-figure .clip=${result.clip}></measured-figure>
+    <div class="drawer-body">
+      ${report.facts(result.report)}
+      ${acts.correcting
+        ? correctionsForm(result.report, acts.correct, () => acts.change(false))
+        : report.notes(result.report, () => acts.change(true))}
+      ${result.report.questions.length || acts.correcting
+        ? nothing
+        : html`<p><button class="link-button" @click=${() => acts.change(true)}>Correct unit, axis or roles</button></p>`}
+    </div>
+    <footer>
+      ${acts.others ? html`<p class="tiny">${counted(acts.others, "more file")} to look at</p>` : nothing}
+      <div><button class="button" @click=${acts.discard}>Discard</button>
+      <button class="button primary" data-first @click=${acts.keep}>Yes, keep it</button></div>
+    </footer>`;
+}
+
+const heading = ({ clip, report: made }: Imported, acts: DrawerActs) => html`<header>
+  <div><h2 class="head">${clip.name}</h2>
+    <p class="small quiet">Imported just now · ${report.summary(made)}</p></div>
+  <button class="button quiet icon-button" @click=${acts.close}>${icon("close")}<span class="visually-hidden">Close; decide later</span></button>
+</header>`;
