@@ -13,6 +13,8 @@ from motion.procedural.style import Style
 
 Array = NDArray[np.float64]
 
+_AHEAD = 0.027  # metres that the hips are carried in front of the ankles' middle
+
 
 @dataclass
 class Arm:
@@ -56,7 +58,7 @@ def walking_channels(plan: Plan, style: Style) -> Channels:
     # The speed is highest in double support; its integral is the hips' advance and lag.
     surge = style.surge / (4.0 * np.pi) * plan.stride_time * speed
     return Channels(
-        forward=plan.middle() + going * gait.wave(phase, 1.0, 7.0 + 12.5, 2) * surge,
+        forward=plan.middle() + _AHEAD + going * gait.wave(phase, 1.0, 7.0 + 12.5, 2) * surge,
         sideways=style.sway / 2.0 * 1.05 * side,
         drop=np.zeros_like(phase),
         pelvis=pelvis,

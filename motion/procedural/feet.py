@@ -22,8 +22,10 @@ from motion.procedural.style import Style
 Array = NDArray[np.float64]
 
 _TOES_BEND = 32.0  # degrees the toes bend before they, too, leave the floor
-# Clearance of the sole over the swing, metres at its fifths: up after toe-off, low at mid-swing.
-_CLEARANCE = ((0.0, 0.22, 0.5, 0.78, 1.0), (0.0, 0.040, 0.021, 0.016, 0.0))
+# Lift of the foot over the swing, metres at shares of it: up after toe-off, then as much as takes
+# the toes past the floor while the foot levels out, and down to the heel's soft landing.
+_LIFT = ((0.0, 0.2, 0.4, 0.575, 0.75, 0.9, 1.0), (0.0, 0.026, 0.021, 0.029, 0.016, 0.004, 0.0))
+_LEAST_CLEARANCE = 0.009  # metres in mid-swing, at a foot lift of 1
 
 
 @dataclass(frozen=True)
@@ -54,15 +56,15 @@ def foot_path(plan: Plan, style: Style, body: Body, side: int) -> FootPath:
     swing = np.clip((part - gait.TOE_OFF) / (1.0 - gait.TOE_OFF), 0.0, 1.0)
     pitch = _pitch(phase, style, _step_shares(steps, plan.start[side], style, body))
     bend = _toe_bend(pitch, part, swing)
-    ahead, up = _sole(body.foot, pitch, bend, part, swing)
+    ahead, up, lowest = _sole(body.foot, pitch, bend, part, swing)
     places = np.array([plan.start[side], *(step.place for step in steps)])
     here = np.clip(count + 1, 0, len(steps))
     there = np.clip(here + 1, 0, len(steps))
-    # A beta distribution's curve: starts and stops without a jerk and peaks at 1.6 × its mean.
-    progress = betainc(2.4, 2.3, swing)
+    # A beta distribution's curve: starts and stops gently and peaks at 1.5 × its mean.
+    progress = betainc(1.96, 2.15, swing)
     length = places[there] - places[here]
     lift = style.foot_lift * np.clip(np.abs(length) / 0.8, 0.35, 1.0)
-    up = up + lift * CubicSpline(*_CLEARANCE, bc_type="clamped")(swing)
+    up = _clear(up + lift * CubicSpline(*_LIFT, bc_type="clamped")(swing), lowest, swing, style)
     sign = 1.0 if side == LEFT else -1.0
     yaw = sign * np.radians(style.toe_out)
     ankle = np.stack(
@@ -85,7 +87,7 @@ def _step_shares(steps: list[Step], start: float, style: Style, body: Body) -> A
 def _pitch(phase: Array, style: Style, shares: Array) -> Array:
     """Sole's pitch (T,) rad: the published curve, exactly 0 while the foot lies flat."""
     part = phase - np.floor(phase)
-    rolled = 1.0 - gait.smooth_step((part - 0.02) / 0.10) * gait.smooth_step((0.46 - part) / 0.16)
+    rolled = 1.0 - gait.smooth_step((part - 0.02) / 0.10) * gait.smooth_step((0.55 - part) / 0.20)
     knots = [(-0.7, style.push_off * shares[0]), (-0.2, style.push_off * shares[0])]
     for count, share in enumerate(shares):
         strike = style.heel_strike * share
@@ -108,8 +110,21 @@ def _toe_bend(pitch: Array, part: Array, swing: Array) -> Array:
     return grounded * (1.0 - gait.smooth_step(swing / 0.75)) + raised
 
 
-def _sole(foot: Foot, pitch: Array, bend: Array, part: Array, swing: Array) -> tuple[Array, Array]:
-    """Ankle's shift ahead and height (T,) that keep the turning point still and on the floor."""
+def _clear(up: Array, lowest: Array, swing: Array, style: Style) -> Array:
+    """Ankle heights (T,) raised in swing as far as the sole's lowest point needs it."""
+    middle = np.sin(np.pi * swing) ** 2
+    wanted = _LEAST_CLEARANCE * style.foot_lift * middle - lowest
+    short = np.where(middle > 0.2, (wanted - up) / np.maximum(middle, 0.2), 0.0)
+    return up + max(float(short.max()), 0.0) * middle
+
+
+def _sole(
+    foot: Foot, pitch: Array, bend: Array, part: Array, swing: Array
+) -> tuple[Array, Array, Array]:
+    """Ankle's shift ahead and height (T,) that keep the turning point still and on the floor.
+
+    The third (T,) is the height of the sole's lowest point against the ankle.
+    """
     toes = pitch + bend
     heel = _turn(foot.heel, -foot.ankle, pitch)
     ball = _turn(foot.ball, foot.ball_height - foot.ankle, pitch)
@@ -120,10 +135,12 @@ def _sole(foot: Foot, pitch: Array, bend: Array, part: Array, swing: Array) -> t
     to_heel = np.where(
         part < gait.TOE_OFF,
         1.0 - gait.smooth_step((part - 0.13) / 0.15),
-        gait.smooth_step((swing - 0.25) / 0.75),
+        gait.smooth_step((swing - 0.35) / 0.55),
     )
-    lowest = _soft_minimum(np.stack([heel[1], tip[1], under_ball[1]]), swing)
-    return to_heel * about_heel + (1.0 - to_heel) * about_tip, -lowest
+    ahead = to_heel * about_heel + (1.0 - to_heel) * about_tip
+    lowest = np.minimum(np.minimum(heel[1], tip[1]), under_ball[1])
+    in_air = -to_heel * heel[1] - (1.0 - to_heel) * tip[1]
+    return ahead, np.where(swing > 0.0, in_air, -lowest), lowest
 
 
 def _turn(ahead: float, up: float, angle: Array) -> Array:
@@ -134,10 +151,3 @@ def _turn(ahead: float, up: float, angle: Array) -> Array:
             ahead * np.sin(angle) + up * np.cos(angle),
         ]
     )
-
-
-def _soft_minimum(heights: Array, swing: Array) -> Array:
-    """Lowest of (3, T) heights: exact on the ground, rounded in the air where points take over."""
-    width = 0.02 * np.sin(np.pi * swing) ** 2 + 1e-6
-    lowest = heights.min(axis=0)
-    return lowest - width * np.log(np.sum(np.exp((lowest - heights) / width), axis=0))

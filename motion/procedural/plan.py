@@ -118,6 +118,24 @@ class Plan:
         knots.append((last.contact + 0.4 * self.stride_time, 0.5))
         return self.follow(knots)
 
+    def carrier(self) -> Array:
+        """(T,) share of the left leg in setting the hips' height: the new leg takes over at once.
+
+        The weight itself shifts more slowly, but the leading leg is the shorter reach.
+        """
+        knots = [(self.steps[0].lift - 0.3 * self.stride_time, 0.5)]
+        share = 0.5
+        for step in self.steps:
+            to = 1.0 if step.side == LEFT else 0.0
+            if share == 0.5:
+                share = 1.0 - to
+                knots.append((step.lift, share))
+            knots.append((step.contact - 0.045 * self.stride_time, share))
+            knots.append((step.contact + 0.02 * self.stride_time, to))
+            share = to
+        knots.append((self.steps[-1].contact + 0.4 * self.stride_time, 0.5))
+        return self.follow(knots)
+
     def middle(self) -> Array:
         """(T,) m forward, midway between the feet, moving evenly from contact to contact."""
         feet = list(self.start)

@@ -28,7 +28,7 @@ from motion.skeleton import Skeleton
 Array = NDArray[np.float64]
 
 _X, _Y, _Z = np.eye(3)
-_REACH = 0.996  # share of the leg's length at which the hips come down rather than stretch it
+_REACH = 0.9985  # share of the leg's length at which the hips come down rather than stretch it
 
 
 def orientation(yaw_pitch_roll: Array) -> Array:
@@ -83,9 +83,9 @@ def _root(
         reach = (_REACH * (body.thigh + body.shin)) ** 2
         carried.append(level[:, 1] + np.sqrt(np.maximum(wanted - across, 0.01)))
         ceiling.append(level[:, 1] + np.sqrt(np.maximum(reach - across, 0.01)))
-    load = plan.smooth(plan.load(), 0.02)
-    height = load * carried[0] + (1.0 - load) * carried[1]
-    height = plan.smooth(np.minimum(height, np.minimum(*ceiling)), 0.045)
+    carrier = plan.smooth(plan.carrier(), 0.01)
+    height = carrier * carried[0] + (1.0 - carrier) * carried[1]
+    height = plan.smooth(np.minimum(height, np.minimum(*ceiling)), 0.035)
     mean = plan.smooth(height, 0.35)
     height = mean + style.bounce * (height - mean) - channels.drop
     excess = np.maximum(height - np.minimum(*ceiling), 0.0)
@@ -98,7 +98,8 @@ def _root(
 def _stance_knee(plan: Plan, style: Style, foot: FootPath) -> Array:
     """(T,) degrees, bend of the carrying knee."""
     going = plan.walking()
-    walking = gait.signal("knee", np.clip(foot.phase % 1.0, 0.0, 0.45))
+    part = foot.phase % 1.0
+    walking = gait.signal("knee", np.where(part > 0.9, part, np.minimum(part, 0.45)))
     return going * walking + (1.0 - going) * 6.0 + style.knee_bend
 
 
@@ -119,7 +120,7 @@ def _leg(
     hip = root + rotate(pelvis, np.array([sign * body.hip_half, 0.0, 0.0]))
     # The knee points where the foot points, a little turned in towards the line of travel.
     pole = np.array([np.sin(0.6 * foot.yaw), 0.25, np.cos(0.6 * foot.yaw)])
-    leg = solve_two_bones(hip, foot.ankle, pole, (body.thigh, body.shin), soft=0.002)
+    leg = solve_two_bones(hip, foot.ankle, pole, (body.thigh, body.shin), soft=0.001)
     heading = from_axis_angle(_Y, np.full(len(root), foot.yaw))
     sole = multiply(heading, from_axis_angle(_X, -foot.pitch))
     return {

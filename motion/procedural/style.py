@@ -51,7 +51,7 @@ class Style:
     stride: float = 1.50
     step_width: float = 0.095
     toe_out: float = 7.0
-    stance: float = 0.61
+    stance: float = 0.60
     bounce: float = 1.0
     sway: float = 0.045
     surge: float = 0.12
@@ -69,8 +69,8 @@ class Style:
     head_bob: float = 1.0
     arm_swing: float = 34.0
     arm_forward: float = -2.0
-    arm_out: float = 7.0
-    arm_turn: float = 22.0
+    arm_out: float = 8.5
+    arm_turn: float = 16.0
     elbow: float = 22.0
     elbow_swing: float = 15.0
     wrist: float = 8.0
