@@ -21,6 +21,7 @@ from motion.skeleton import Skeleton
 ANIMATION_NAME = "motion"
 
 _INT16 = 32767
+_POSITION_STEP = 4  # eighth of a millimetre: finer digits would only be noise to compress
 _INT8 = 127
 _UINT8 = 255
 _WXYZ_TO_XYZW = [1, 2, 3, 0]
@@ -88,9 +89,7 @@ def _add_nodes(
     turns = turns / np.linalg.norm(turns, axis=-1, keepdims=True)
     nodes: list[dict[str, Any]] = [
         {"name": name, "translation": place, "rotation": turn}
-        for name, place, turn in zip(
-            skeleton.names, places.tolist(), turns.tolist(), strict=True
-        )
+        for name, place, turn in zip(skeleton.names, places.tolist(), turns.tolist(), strict=True)
     ]
     for child, parent in enumerate(skeleton.parents.tolist()):
         if parent >= 0:
@@ -173,7 +172,8 @@ def _inverse_bind_matrices(figure: FigureMesh, scale: float) -> NDArray[np.float
 
 
 def _primitive(writer: GltfWriter, figure: FigureMesh, scale: float) -> dict[str, Any]:
-    positions = np.rint(figure.positions / scale * _INT16).astype("<i2")
+    fine = np.rint(figure.positions / scale * (_INT16 // _POSITION_STEP))
+    positions = (fine * _POSITION_STEP).astype("<i2")
     normals = np.rint(figure.normals * _INT8).astype("i1")
     small = len(figure.skeleton) <= _UINT8
     joints = np.where(figure.weights > 0, figure.joints, 0).astype("u1" if small else "<u2")
@@ -186,9 +186,7 @@ def _primitive(writer: GltfWriter, figure: FigureMesh, scale: float) -> dict[str
             np.rint(figure.occlusion * _UINT8).astype("u1"), normalized=True
         ),
     }
-    view = writer.view(
-        figure.triangles.astype("<u2").ravel(), target=ELEMENT_ARRAY_BUFFER
-    )
+    view = writer.view(figure.triangles.astype("<u2").ravel(), target=ELEMENT_ARRAY_BUFFER)
     indices = writer.accessor(figure.triangles.astype("<u2").ravel(), view=view)
     return {"attributes": attributes, "indices": indices, "material": 0}
 

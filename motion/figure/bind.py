@@ -28,19 +28,24 @@ from motion.skeleton import Skeleton
 Array = NDArray[np.float64]
 
 SIDES = ("left", "right")
-_REQUIRED = ("hips", "head", *(f"{s}_{p}" for s in SIDES for p in (
-    "upper_arm", "forearm", "thigh", "shin", "foot")))
+_REQUIRED = (
+    "hips",
+    "head",
+    *(f"{s}_{p}" for s in SIDES for p in ("upper_arm", "forearm", "thigh", "shin", "foot")),
+)
 _TRUNK = ("hips", "spine", "chest", "neck", "head")
 _FRAMES = 400  # enough to know a joint's axes by
 _SNAP = np.radians(45.0)
 _SNAP_SOLE = np.radians(6.0)
 # Every right-handed frame whose axes lie along the joint's own.
-_AXIS_FRAMES = np.array([
-    frame
-    for order in permutations(range(3))
-    for signs in product((1.0, -1.0), repeat=3)
-    if np.linalg.det(frame := np.eye(3)[list(order)] * np.array(signs)) > 0
-])
+_AXIS_FRAMES = np.array(
+    [
+        frame
+        for order in permutations(range(3))
+        for signs in product((1.0, -1.0), repeat=3)
+        if np.linalg.det(frame := np.eye(3)[list(order)] * np.array(signs)) > 0
+    ]
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,9 +103,7 @@ def bind_pose(clip: Clip) -> BindPose:
         parent = skeleton.parents[joint]
         positions[joint] = positions[parent] + world[parent] @ skeleton.offsets[joint]
     parents = skeleton.parents[1:]
-    local = np.concatenate(
-        [rotations[:1], multiply(conjugate(rotations[parents]), rotations[1:])]
-    )
+    local = np.concatenate([rotations[:1], multiply(conjugate(rotations[parents]), rotations[1:])])
     scale = _scale(skeleton, positions)
     ankles = reference.ankle_heights(scale)
     return BindPose(skeleton, positions, rotations, local, skeleton.roles, ankles, scale)

@@ -45,7 +45,9 @@ class Limb:
     @property
     def end(self) -> Frame:
         """The same axes at wrist or ankle."""
-        return Frame(self.frame.world(np.array([0.0, self.upper + self.lower, 0.0])), self.frame.axes)
+        return Frame(
+            self.frame.world(np.array([0.0, self.upper + self.lower, 0.0])), self.frame.axes
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,19 +204,22 @@ def _limb_rings(limb: Limb, upper: Sequence[Ring], lower: Sequence[Ring]) -> lis
 
 
 def _scaled(ring: Ring, at: float, girth: float) -> Ring:
-    return Ring(at, *(value * girth for value in ring[1:6]), ring.n)
+    w, f, b, x, z = (value * girth for value in ring[1:6])
+    return Ring(at, w, f, b, x, z, ring.n)
 
 
 def _arm_shape(limb: Limb) -> Shape:
     rings = _limb_rings(limb, profile.UPPER_ARM, profile.FOREARM)
-    arm = Loft(limb.frame, rings, (0.8 * rings[0].w, 0.6 * rings[-1].w))
+    arm = Loft(limb.frame, rings, (0.8 * rings[0].w, 0.6 * rings[-1].w), 0.011)
     size = profile.HAND_LENGTH * limb.girth[1]
     amount, start, power = profile.HAND_CURL
     sections = []
     for ring in profile.HAND:
         curl = amount * max(0.0, ring.at - start) ** power
-        sections.append(_scaled(ring._replace(x=-curl), ring.at * size, size))
-    palm = Loft(limb.end, sections, (0.5 * sections[0].w, 0.6 * sections[-1].w))
+        sections.append(
+            _scaled(ring._replace(x=-curl, n=profile.HAND_EXPONENT), ring.at * size, size)
+        )
+    palm = Loft(limb.end, sections, (0.5 * sections[0].w, 0.7 * sections[-1].b), 0.003)
     joints = [
         limb.end.world(np.array([-inward, -up, ahead]) * size)
         for inward, up, ahead in profile.THUMB
@@ -230,7 +235,7 @@ def _arm_shape(limb: Limb) -> Shape:
 
 def _leg_shape(limb: Limb, foot: Shape, trunk: Trunk, side: str) -> Shape:
     rings = _limb_rings(limb, profile.THIGH, profile.SHIN)
-    leg = Loft(limb.frame, rings, (0.9 * rings[0].w, 0.6 * rings[-1].w))
+    leg = Loft(limb.frame, rings, (0.9 * rings[0].w, 0.6 * rings[-1].w), 0.014)
     seat = EllipsoidShape(
         Frame(trunk.point(side, profile.SEAT.centre), np.eye(3)),
         np.zeros(3),
@@ -281,7 +286,7 @@ def _trunk_loft(trunk: Trunk, source: Sequence[Ring], cap: float) -> Loft:
         rings.append(
             sized._replace(w=wide, x=sized.x + float(centre[0]), z=sized.z + float(centre[2]))
         )
-    return Loft(Frame(np.zeros(3), np.eye(3)), rings, (cap * rings[0].f, cap * rings[-1].f))
+    return Loft(Frame(np.zeros(3), np.eye(3)), rings, (cap * rings[0].f, cap * rings[-1].f), 0.011)
 
 
 def _shoulder(trunk: Trunk, pose: BindPose, side: str) -> Shape:

@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
+from scipy.ndimage import gaussian_filter1d
 
 from motion.figure.profile import FootRing, Ring
 
@@ -49,48 +50,65 @@ class Frame:
 
     def local(self, points: Array) -> Array:
         """World points (N, 3) in this frame."""
-        return (points - self.origin) @ self.axes
+        x, y, z = (points - self.origin).T
+        # Spelled out: a matrix product this small costs more in threads than in arithmetic.
+        return np.stack([x * a + y * b + z * c for a, b, c in self.axes.T.tolist()], axis=1)
 
     def world(self, points: Array) -> Array:
         """Points (N, 3) of this frame in the world."""
         return self.origin + points @ self.axes.T
 
 
-def _within(
-    frame: Frame, low: Array, high: Array, points: Array
-) -> tuple[Array, Array, NDArray[np.intp]]:
-    """Distances to a box (N,), and the local points near enough to need more than that."""
-    local = frame.local(points)
-    outside = np.maximum(np.maximum(low - local, local - high), 0.0)
-    far = np.sqrt(np.einsum("ij,ij->i", outside, outside))
-    near = np.flatnonzero(far < REACH)
-    return far, local[near], near
+class _Box:
+    """The world's axis-aligned box around a box of a frame."""
+
+    def __init__(self, frame: Frame, low: Array, high: Array) -> None:
+        self.frame = frame
+        middle = frame.world((low + high)[None] / 2.0)[0]
+        half = np.abs(frame.axes) @ (high - low) / 2.0
+        self.low, self.high = middle - half, middle + half
+
+    def split(self, points: Array) -> tuple[Array, NDArray[np.intp], Array]:
+        """Distances to the box (N,), which points are within reach, and those, in the frame."""
+        square = np.zeros(len(points))
+        for axis in range(3):
+            values = points[:, axis]
+            gap = np.maximum(np.maximum(self.low[axis] - values, values - self.high[axis]), 0.0)
+            square += gap * gap
+        near = np.flatnonzero(square < REACH * REACH)
+        return np.sqrt(square), near, self.frame.local(points[near])
 
 
 class Loft:
     """A stack of super-ellipse rings along y of a frame, with rounded caps.
 
-    Local x is sideways, y along (growing from ring to ring), z forward.
+    Local x is sideways, y along (growing from ring to ring), z forward. ``soften`` (metres) is the
+    width over which the profiles' curvature evens out.
     """
 
-    def __init__(self, frame: Frame, rings: Sequence[Ring], caps: tuple[float, float]) -> None:
+    def __init__(
+        self, frame: Frame, rings: Sequence[Ring], caps: tuple[float, float], soften: float
+    ) -> None:
         self.frame = frame
         at = np.array([ring.at for ring in rings])
         values = np.array([[r.w, r.f, r.b, r.x, r.z, r.n] for r in rings])
         self.start, self.end = float(at[0]), float(at[-1])
         even = np.linspace(self.start, self.end, _SAMPLES)
-        self.table = PchipInterpolator(at, values, axis=0)(even)
         self.step = (self.end - self.start) / (_SAMPLES - 1)
+        monotone = PchipInterpolator(at, values, axis=0)(even)
+        # A monotone cubic's curvature jumps at each ring, which light would show as a band.
+        self.table = gaussian_filter1d(monotone, soften / self.step, axis=0, mode="nearest")
         self.round = bool(np.all(values[:, 5] == 2.0))
         self.caps = caps
         reach = np.abs(self.table[:, 3]) + self.table[:, 0]
         depth = np.abs(self.table[:, 4]) + self.table[:, 1:3].max(axis=1)
-        self.low = np.array([-reach.max(), self.start - caps[0], -depth.max()])
-        self.high = np.array([reach.max(), self.end + caps[1], depth.max()])
+        low = np.array([-reach.max(), self.start - caps[0], -depth.max()])
+        high = np.array([reach.max(), self.end + caps[1], depth.max()])
+        self.box = _Box(frame, low, high)
 
     def distance(self, points: Array) -> Array:
         """Signed distances (N,) of points (N, 3), metres."""
-        result, local, near = _within(self.frame, self.low, self.high, points)
+        result, near, local = self.box.split(points)
         if len(near):
             result[near] = self._near(local)
         return result
@@ -128,12 +146,12 @@ class EllipsoidShape:
     """An ellipsoid along the axes of a frame."""
 
     def __init__(self, frame: Frame, centre: Array, radii: Array) -> None:
-        self.frame = Frame(frame.world(centre), frame.axes)
         self.radii = radii
+        self.box = _Box(Frame(frame.world(centre), frame.axes), -radii, radii)
 
     def distance(self, points: Array) -> Array:
         """Signed distances (N,) of points (N, 3), metres."""
-        result, local, near = _within(self.frame, -self.radii, self.radii, points)
+        result, near, local = self.box.split(points)
         if len(near):
             x, y, z = local.T
             a, b, c = (np.full(len(near), r) for r in self.radii)
@@ -148,16 +166,16 @@ class RoundCone:
         self.start, self.way = start, end - start
         self.radii = radii
         widest = max(radii)
-        self.frame = Frame(np.zeros(3), np.eye(3))
-        self.low = np.minimum(start, end) - widest
-        self.high = np.maximum(start, end) + widest
+        low, high = np.minimum(start, end) - widest, np.maximum(start, end) + widest
+        self.box = _Box(Frame(np.zeros(3), np.eye(3)), low, high)
 
     def distance(self, points: Array) -> Array:
         """Signed distances (N,) of points (N, 3), metres."""
-        result, local, near = _within(self.frame, self.low, self.high, points)
+        result, near, local = self.box.split(points)
         if len(near):
             from_start = local - self.start
-            share = np.clip(from_start @ self.way / (self.way @ self.way), 0.0, 1.0)
+            along = np.einsum("ij,j->i", from_start, self.way)
+            share = np.clip(along / np.sum(self.way**2), 0.0, 1.0)
             gap = from_start - share[:, None] * self.way
             radius = self.radii[0] + (self.radii[1] - self.radii[0]) * share
             result[near] = np.sqrt(np.einsum("ij,ij->i", gap, gap)) - radius
@@ -181,12 +199,12 @@ class FootShape:
             sections.append(
                 Ring(ring.ahead, ring.w, below, ring.top - widest, 0.0, -widest, exponent)
             )
-        cap = edge
-        self.loft = Loft(Frame(frame.origin, frame.axes @ turn), sections, (cap, cap))
+        ends = 1.7 * edge, edge
+        self.loft = Loft(Frame(frame.origin, frame.axes @ turn), sections, ends, 0.4 * edge)
 
     def distance(self, points: Array) -> Array:
         """Signed distances (N,) of points (N, 3), metres."""
-        under = -(points - self.frame.origin) @ self.frame.axes[:, 1]
+        under = -self.frame.local(points)[:, 1]
         return -smooth_min(-self.loft.distance(points), -under, self.edge)
 
 

@@ -104,6 +104,7 @@ HAND = (
     Ring(0.96, 0.046, 0.11, 0.11, z=-0.014),
     Ring(0.99, 0.032, 0.07, 0.07, z=-0.015),
 )
+HAND_EXPONENT = 2.5  # fuller than an ellipse: the edge of the palm is soft
 HAND_CURL = (0.42, 0.2, 1.7)  # the centre moves a·max(0, t − b)^c toward the palm
 # Toward the palm, up (so negative is toward the fingers), toward the thumb's side.
 THUMB = ((0.02, -0.1, 0.06), (0.075, -0.34, 0.24), (0.135, -0.62, 0.285))

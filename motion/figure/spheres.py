@@ -73,12 +73,14 @@ def _arm(body: Body, side: str) -> list[Sphere]:
     limb = body.arms[side]
     size = profile.HAND_LENGTH * limb.girth[1]
     arm = f"{side}_arm"
-    balls = [
-        (f"{side}_upper_arm", t * limb.upper, r * limb.girth[0]) for t, r in _UPPER_ARM
-    ] + [(f"{side}_forearm", limb.upper + t * limb.lower, r * limb.girth[1]) for t, r in _FOREARM]
+    balls = [(f"{side}_upper_arm", t * limb.upper, r * limb.girth[0]) for t, r in _UPPER_ARM] + [
+        (f"{side}_forearm", limb.upper + t * limb.lower, r * limb.girth[1]) for t, r in _FOREARM
+    ]
     hand = body.pose.carrier(f"{side}_hand", f"{side}_forearm")
     found = [
-        _sphere(body, body.pose.carrier(role), limb.frame.world(np.array([0.0, along, 0.0])), r, arm)
+        _sphere(
+            body, body.pose.carrier(role), limb.frame.world(np.array([0.0, along, 0.0])), r, arm
+        )
         for role, along, r in balls
     ]
     for t, r in _HAND:
@@ -92,7 +94,9 @@ def _leg(body: Body, side: str) -> list[Sphere]:
     balls = [(f"{side}_thigh", t * limb.upper, r * limb.girth[0]) for t, r in _THIGH]
     balls += [(f"{side}_shin", limb.upper + t * limb.lower, r * limb.girth[1]) for t, r in _SHIN]
     found = [
-        _sphere(body, body.pose.carrier(role), limb.frame.world(np.array([0.0, along, 0.0])), r, leg)
+        _sphere(
+            body, body.pose.carrier(role), limb.frame.world(np.array([0.0, along, 0.0])), r, leg
+        )
         for role, along, r in balls
     ]
     stretch = body.toe_ahead[side] / profile.TOE_AHEAD

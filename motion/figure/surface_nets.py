@@ -25,12 +25,13 @@ _EDGES = [
 ]
 
 
-def sample(field: Field, axes: tuple[Array, Array, Array]) -> Array:
+def sample(field: Field, axes: tuple[Array, Array, Array], slope: float = 1.0) -> Array:
     """A field's values (X, Y, Z) on a grid, exact near the surface, right in sign elsewhere.
 
     Args:
         field: distances (N,) of points (N, 3).
         axes: coordinates along x, y and z; each has a multiple of four steps.
+        slope: how fast the field can change per metre of the grid.
     """
     coarse = tuple(axis[::_COARSE] for axis in axes)
     values = field(_points(coarse)).reshape([len(axis) for axis in coarse])
@@ -39,7 +40,7 @@ def sample(field: Field, axes: tuple[Array, Array, Array]) -> Array:
         steps[0][:, None, None] ** 2 + steps[1][None, :, None] ** 2 + steps[2] ** 2
     )
     nearest = np.min(np.abs(_corners(values)), axis=0)
-    active = nearest < 1.25 * half
+    active = nearest < 1.25 * slope * half
     fine = _spread(values)
     mask = np.zeros(fine.shape, bool)
     blocks = _blow_up(active)
@@ -74,9 +75,7 @@ def _spread(values: Array) -> Array:
     return np.ascontiguousarray(blown[:x, :y, :z])
 
 
-def surface_nets(
-    values: Array, axes: tuple[Array, Array, Array]
-) -> tuple[Array, NDArray[np.intp]]:
+def surface_nets(values: Array, axes: tuple[Array, Array, Array]) -> tuple[Array, NDArray[np.intp]]:
     """Vertices (V, 3) and quads (Q, 4), counter-clockwise from outside, of the zero surface.
 
     The result is a closed manifold: grid nodes whose signs would pinch it are flipped first.
