@@ -4,24 +4,73 @@ from __future__ import annotations
 
 import uuid
 from collections.abc import Iterator
+from datetime import datetime
+from typing import Any, NamedTuple
 
-from sqlalchemy import ColumnElement, Row, delete, func, select
+from sqlalchemy import ColumnElement, Row, and_, bindparam, delete, func, insert, select
 from sqlalchemy.orm import Session, aliased
 
 from app.persistence.models import Response, Study, StudySession
 
 
-def stored(
-    session: Session, session_id: uuid.UUID, trial_index: int, revision: int
-) -> Response | None:
-    """One revision of one answer."""
-    return session.scalar(
-        select(Response).where(
-            Response.session_id == session_id,
-            Response.trial_index == trial_index,
-            Response.revision == revision,
-        )
+class Asked(NamedTuple):
+    """A session as far as one answer needs it; `stored` is the answer that is there already."""
+
+    session_id: uuid.UUID
+    state: str
+    plan: dict[str, Any] | None
+    study_id: int
+    definition_hash: str
+    stored: Stored | None
+
+
+class Stored(NamedTuple):
+    """What is stored of one revision of one answer."""
+
+    fingerprint: str
+    answers: dict[str, int]
+    comment: str
+    received_at: datetime
+
+
+# Tables instead of classes, made once: answers come by the hundred in a second, and building
+# statements and objects anew for each would take most of that second.
+_SESSIONS, _RESPONSES, _STUDIES = (model.__table__.c for model in (StudySession, Response, Study))
+_ASKED = (
+    select(
+        _SESSIONS.id, _SESSIONS.state, _SESSIONS.plan, _SESSIONS.study_id,
+        _STUDIES.definition_hash, _RESPONSES.fingerprint, _RESPONSES.answers,
+        _RESPONSES.comment, _RESPONSES.received_at,
     )
+    .join_from(StudySession.__table__, Study.__table__)
+    .outerjoin(
+        Response.__table__,
+        and_(
+            _RESPONSES.session_id == _SESSIONS.id,
+            _RESPONSES.trial_index == bindparam("trial_index"),
+            _RESPONSES.revision == bindparam("revision"),
+        ),
+    )
+    .where(_SESSIONS.token_hash == bindparam("token_hash"))
+    # So that no other server process completes or empties the session meanwhile; SQLite has one
+    # writer at a time anyway and leaves this out.
+    .with_for_update(of=StudySession.__table__)
+)  # fmt: skip
+_ADD = insert(Response)
+
+
+def asked(session: Session, token_hash: str, trial_index: int, revision: int) -> Asked | None:
+    """All that storing one answer must know, in one query; locks the session's row."""
+    sought = {"token_hash": token_hash, "trial_index": trial_index, "revision": revision}
+    row = session.connection().execute(_ASKED, sought).one_or_none()
+    if row is None:
+        return None
+    return Asked(*row[:5], Stored(*row[5:]) if row.fingerprint else None)
+
+
+def add(session: Session, **row: Any) -> None:  # noqa: ANN401 -- the columns of Response
+    """Add one answer."""
+    session.connection().execute(_ADD, row)
 
 
 def newest(session: Session, session_id: uuid.UUID) -> dict[int, Response]:

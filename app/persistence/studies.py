@@ -24,6 +24,11 @@ def by_slug(session: Session, slug: str) -> Study | None:
     return session.scalar(select(Study).where(Study.slug == slug))
 
 
+def by_id(session: Session, study_id: int) -> Study:
+    """The study that a session belongs to."""
+    return session.get_one(Study, study_id)
+
+
 def all_studies(session: Session) -> list[Study]:
     """Every study, oldest first."""
     return list(session.scalars(select(Study).order_by(Study.id)))

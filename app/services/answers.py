@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from hashlib import sha256
 from json import dumps
 from typing import Any
@@ -10,11 +11,12 @@ from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError
 from app.persistence import responses
-from app.persistence.models import Response, StudySession, now
+from app.persistence.models import now
+from app.persistence.responses import Asked, Stored
 from app.schemas.sessions import Answer, AnswerReceipt
 from app.schemas.study import StudyDefinition
-from app.services.sessions import open_session, planned_trials, refuse_withdrawn
-from app.services.studies import definition_of
+from app.services.sessions import hash_token, planned_trials, refuse_withdrawn, unknown_link
+from app.services.studies import definition_by_hash
 
 
 def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool]:
@@ -28,25 +30,39 @@ def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool
         ConflictError: this revision holds another answer, or the session takes no more.
         InvalidError: the answer does not fit the study.
     """
-    session = open_session(db, token, lock=True)
-    refuse_withdrawn(session)
+    asked = responses.asked(db, hash_token(token), answer.trial_index, answer.revision)
+    if asked is None:
+        raise unknown_link()
+    refuse_withdrawn(asked.state)
     fingerprint = fingerprint_of(answer)
-    stored = responses.stored(db, session.id, answer.trial_index, answer.revision)
-    if stored is not None:
-        if stored.fingerprint != fingerprint:
-            raise _already_answered(stored)
-        return _receipt(stored), False
-    if session.state == "complete":
+    if asked.stored is not None:
+        if asked.stored.fingerprint != fingerprint:
+            raise _already_answered(answer, asked.stored)
+        return _receipt(answer, asked.stored.received_at), False
+    if asked.state == "complete":
         raise ConflictError(
             "The study is complete; its answers can no longer be changed.",
             code="session_complete",
             mend="Nothing more to do: all that you answered before is stored.",
         )
-    check_answer(answer, definition_of(session.study))
-    row = _row(session, answer, fingerprint)
-    db.add(row)
-    db.flush()
-    return _receipt(row), True
+    check_answer(answer, definition_by_hash(db, asked.study_id, asked.definition_hash))
+    trial = _trial(asked, answer.trial_index)
+    received_at = now()
+    responses.add(
+        db,
+        session_id=asked.session_id,
+        trial_index=answer.trial_index,
+        revision=answer.revision,
+        clip_id=trial["clip"],
+        practice=trial["practice"],
+        answers=answer.answers,
+        comment=answer.comment,
+        rt_ms=answer.rt_ms,
+        record=_record(answer),
+        fingerprint=fingerprint,
+        received_at=received_at,
+    )
+    return _receipt(answer, received_at), True
 
 
 def fingerprint_of(answer: Answer) -> str:
@@ -82,29 +98,16 @@ def check_answer(answer: Answer, definition: StudyDefinition) -> None:
         )
 
 
-def _row(session: StudySession, answer: Answer, fingerprint: str) -> Response:
-    trials = planned_trials(session)
-    if answer.trial_index >= len(trials):
+def _trial(asked: Asked, index: int) -> dict[str, Any]:
+    trials = planned_trials(asked.plan)
+    if index >= len(trials):
         raise InvalidError(
-            f"There is no clip {answer.trial_index}: the session has {len(trials)}, from 0.",
+            f"There is no clip {index}: the session has {len(trials)}, counted from 0.",
             code="trial_unknown",
-            where={"trial_index": answer.trial_index},
+            where={"trial_index": index},
             mend="Reload the page.",
         )
-    trial = trials[answer.trial_index]
-    return Response(
-        session_id=session.id,
-        trial_index=answer.trial_index,
-        revision=answer.revision,
-        clip_id=trial["clip"],
-        practice=trial["practice"],
-        answers=answer.answers,
-        comment=answer.comment,
-        rt_ms=answer.rt_ms,
-        record=_record(answer),
-        fingerprint=fingerprint,
-        received_at=now(),
-    )
+    return trials[index]
 
 
 def _record(answer: Answer) -> dict[str, Any]:
@@ -116,22 +119,22 @@ def _record(answer: Answer) -> dict[str, Any]:
     }
 
 
-def _receipt(row: Response) -> AnswerReceipt:
+def _receipt(answer: Answer, received_at: datetime) -> AnswerReceipt:
     return AnswerReceipt(
-        trial_index=row.trial_index, revision=row.revision, received_at=row.received_at
+        trial_index=answer.trial_index, revision=answer.revision, received_at=received_at
     )
 
 
-def _already_answered(stored: Response) -> ConflictError:
+def _already_answered(answer: Answer, stored: Stored) -> ConflictError:
+    place = {"trial_index": answer.trial_index, "revision": answer.revision}
     return ConflictError(
         "Another answer to this clip is stored already, perhaps from a second tab.",
         code="already_answered",
-        where={"trial_index": stored.trial_index, "revision": stored.revision},
+        where=place,
         mend="Reload the page: it shows what is stored.",
         extra={
             "stored": {
-                "trial_index": stored.trial_index,
-                "revision": stored.revision,
+                **place,
                 "answers": stored.answers,
                 "comment": stored.comment,
                 "received_at": stored.received_at.isoformat(),

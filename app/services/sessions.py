@@ -99,7 +99,7 @@ def view(db: Session, token: str) -> SessionView:
     """All that the participant's page needs to go on where it stopped."""
     session = open_session(db, token)
     definition = definition_of(session.study)
-    trials = planned_trials(session)
+    trials = planned_trials(session.plan)
     media = studies.media(db, (trial["clip"] for trial in trials))
     newest = responses.newest(db, session.id)
     return SessionView(
@@ -129,8 +129,8 @@ def complete(db: Session, token: str) -> Completion:
         ConflictError: answers are missing, or the session was withdrawn.
     """
     session = open_session(db, token, lock=True)
-    refuse_withdrawn(session)
-    trials = len(planned_trials(session))
+    refuse_withdrawn(session.state)
+    trials = len(planned_trials(session.plan))
     if session.completion_code is None:
         missing = sorted(set(range(trials)) - responses.answered(db, session.id))
         if missing:
@@ -183,17 +183,22 @@ def open_session(db: Session, token: str, *, lock: bool = False) -> StudySession
     """
     session = store.by_token_hash(db, hash_token(token), lock=lock)
     if session is None:
-        raise NotFoundError(
-            "This personal link is not known here.",
-            code="session_not_found",
-            mend="Open the link exactly as you got it, or begin the study anew.",
-        )
+        raise unknown_link()
     return session
 
 
-def refuse_withdrawn(session: StudySession) -> None:
+def unknown_link() -> NotFoundError:
+    """What to raise for a token that is none of ours."""
+    return NotFoundError(
+        "This personal link is not known here.",
+        code="session_not_found",
+        mend="Open the link exactly as you got it, or begin the study anew.",
+    )
+
+
+def refuse_withdrawn(state: str) -> None:
     """Raise ConflictError for a session whose participant took the answers back."""
-    if session.state == "withdrawn":
+    if state == "withdrawn":
         raise ConflictError(
             "You have withdrawn from this study and your answers are deleted.",
             code="session_withdrawn",
@@ -201,9 +206,9 @@ def refuse_withdrawn(session: StudySession) -> None:
         )
 
 
-def planned_trials(session: StudySession) -> list[dict[str, Any]]:
-    """The trials of a session in order; none after a withdrawal."""
-    trials: list[dict[str, Any]] = (session.plan or {"trials": []})["trials"]
+def planned_trials(plan: dict[str, Any] | None) -> list[dict[str, Any]]:
+    """The trials of a session's plan in order; none after a withdrawal."""
+    trials: list[dict[str, Any]] = (plan or {"trials": []})["trials"]
     return trials
 
 

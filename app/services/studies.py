@@ -62,6 +62,17 @@ def definition_of(study: Study) -> StudyDefinition:
     return StudyDefinition.model_validate(study.definition)
 
 
+def definition_by_hash(db: Session, study_id: int, definition_hash: str) -> StudyDefinition:
+    """The same, read once: what has the same hash is the same definition."""
+    known = _DEFINITIONS.get(definition_hash)
+    if known is None:
+        known = _DEFINITIONS[definition_hash] = definition_of(store.by_id(db, study_id))
+    return known
+
+
+_DEFINITIONS: dict[str, StudyDefinition] = {}
+
+
 def welcome(db: Session, slug: str) -> WelcomePage:
     """What the welcome page of a study shows."""
     definition = definition_of(find(db, slug))

@@ -1,0 +1,154 @@
+"""Participants that do not exist: seeded answers that go through the same services as real ones.
+
+Each clip's style has latent effects on the six axes; a rater adds a bias of his own and noise, and
+the sum is rounded to a step. So the results have a known truth behind them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import UTC, datetime
+from functools import partial
+from hashlib import sha256
+from typing import Any
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from app.persistence.models import Blob, ClipRecord, FigureRecord
+from app.schemas.sessions import Answer, ViewingRecord, Viewport
+from app.schemas.study import StudyDefinition
+from app.services import answers, sessions, studies
+from app.studies import emotion
+
+Write = Callable[[Callable[[Session], Any]], Any]
+STYLES = (
+    "afraid", "angry", "excited", "happy", "neutral", "relaxed", "sad", "strong", "tired", "weak",
+)  # fmt: skip
+BODIES = ("female", "male")
+
+# Latent effects on (sad_happy, tired_excited, angry_relaxed, weak_strong, afraid_confident,
+# masculine_feminine), in steps toward the right pole.
+EFFECTS = {
+    "afraid": (-0.7, -0.1, -0.2, -1.0, -1.6, 0.4),
+    "angry": (-1.0, 0.7, -1.7, 1.0, 0.9, -0.8),
+    "excited": (0.7, 1.6, 0.1, 0.5, 0.4, 0.1),
+    "happy": (1.5, 1.0, 0.7, 0.3, 0.8, 0.3),
+    "neutral": (0.1, 0.0, 0.3, 0.2, 0.3, 0.0),
+    "relaxed": (0.4, -0.4, 1.6, 0.1, 0.6, 0.1),
+    "sad": (-1.6, -1.0, 0.2, -0.8, -0.7, 0.2),
+    "strong": (0.0, 0.6, -0.8, 1.7, 1.4, -0.9),
+    "tired": (-0.9, -1.7, 0.3, -1.0, -0.4, 0.0),
+    "weak": (-0.8, -1.0, 0.0, -1.6, -1.0, 0.3),
+}
+BODY_EFFECTS = {"female": 0.5, "male": -0.5}  # on masculine_feminine
+
+
+def directly(db: Session) -> Write:
+    """A stand-in for the writer where a test has one database session for all."""
+    return lambda job: job(db)
+
+
+def add_study(db: Session) -> StudyDefinition:
+    """The demonstration study on clips without motion: enough for everything but the viewer."""
+    for body in BODIES:
+        for style in STYLES:
+            _add_clip(db, f"acted_{body}_{style}", set="acted", body=body, style=style)
+    _add_clip(db, "walk_neutral", set="A", body="adult", style="neutral")
+    db.commit()
+    study = studies.ensure_demonstration(db)
+    assert study is not None
+    return studies.definition_of(study)
+
+
+def take_part(
+    write: Write,
+    generator: np.random.Generator,
+    *,
+    slug: str = emotion.SLUG,
+    answered: int | None = None,
+    complete: bool = True,
+) -> str:
+    """One simulated participant, who may stop after some answers; gives the personal token."""
+    token = write(partial(sessions.begin, slug=slug, consent_version="1"))
+    definition, trials = write(partial(_plan, token=token))
+    bias = generator.normal(0, 0.25, len(definition.scales))
+    for index, clip in enumerate(trials[:answered]):
+        answer = _answer(definition, index, clip, bias, generator)
+        write(partial(answers.record, token=token, answer=answer))
+    if complete and answered is None:
+        write(partial(sessions.complete, token=token))
+    return token
+
+
+def simulate(write: Write, participants: int, seed: int = 1, slug: str = emotion.SLUG) -> list[str]:
+    """So many complete participants."""
+    generator = np.random.default_rng(seed)
+    return [take_part(write, generator, slug=slug) for _ in range(participants)]
+
+
+def answer_with(
+    values: dict[str, int], trial_index: int = 0, revision: int = 1, **changes: Any
+) -> Answer:
+    """An answer that a page might send."""
+    given = {
+        "trial_index": trial_index,
+        "revision": revision,
+        "answers": values,
+        "touched": sorted(values),
+        "comment": "",
+        "rt_ms": 5210.5,
+        "time_elapsed_ms": 61_000.25,
+        "client_time": datetime(2026, 3, 1, 12, tzinfo=UTC),
+        "record": ViewingRecord(
+            plays=2, viewing_ms=4800.0, camera_moves=1, hidden_ms=0.0, blur_count=0,
+            dropped_frames=3, tier="high",
+            viewport=Viewport(width=1280, height=800, pixel_ratio=1.0),
+        ),
+    }  # fmt: skip
+    return Answer.model_validate({**given, **changes})
+
+
+def _plan(db: Session, token: str) -> tuple[StudyDefinition, list[str]]:
+    session = sessions.open_session(db, token)
+    clips = [trial["clip"] for trial in sessions.planned_trials(session.plan)]
+    return studies.definition_of(session.study), clips
+
+
+def _answer(
+    definition: StudyDefinition,
+    index: int,
+    clip: str,
+    bias: np.ndarray,
+    generator: np.random.Generator,
+) -> Answer:
+    shown = next(stimulus for stimulus in definition.stimuli if stimulus.clip == clip)
+    latent = np.array(EFFECTS.get(shown.style, np.zeros(6))) + bias
+    latent[-1] += BODY_EFFECTS.get(shown.body, 0.0)
+    noisy = latent + generator.normal(0, 0.8, latent.size)
+    steps = np.clip(np.rint(noisy), -definition.reach, definition.reach)
+    values = {scale.id: int(step) for scale, step in zip(definition.scales, steps, strict=True)}
+    touched = [scale for scale, value in values.items() if value or generator.random() < 0.5]
+    viewing = float(generator.uniform(3000, 9000))
+    return answer_with(
+        values, index, touched=touched, rt_ms=viewing + 900, time_elapsed_ms=12_000.0 * (index + 1)
+    )
+
+
+def _add_clip(db: Session, name: str, **tags: str) -> None:
+    content = name.encode()
+    known = sha256(content).hexdigest()
+    db.add(Blob(hash=known, media_type="model/gltf-binary", content=content))
+    db.flush()
+    skeleton = sha256(tags["body"].encode()).hexdigest()
+    if db.get(FigureRecord, skeleton) is None:
+        db.add(FigureRecord(skeleton_hash=skeleton, glb_blob=known, engine_version="test"))
+    db.add(
+        ClipRecord(
+            id=sha256(b"clip" + content).hexdigest(), name=name, source="sample", state="kept",
+            skeleton_hash=skeleton, frames=10, frame_time=1 / 30, duration=0.3, cyclic=False,
+            stature=1.7, poster_time=0.1, tags=tags, report=None, clip_blob=known, glb_blob=known,
+            source_blob=None, engine_version="test",
+        )
+    )  # fmt: skip
+    db.flush()
