@@ -2,24 +2,37 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Annotated
 
 import typer
-import uvicorn
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
-from app.persistence import schema
+from app.errors import MannerError
 from app.persistence.engine import Database, make_engine
-from app.services import researchers
+from app.services import preparation, researchers
 from app.settings import Settings
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, help="Motion perception studies.")
+# The commands import what they need when they run: `manner serve` should not wait for SciPy.
+
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_show_locals=False,
+    help="Manner: perception studies and authoring of human motion.",
+)
+console = Console(highlight=False)
 
 
 @app.command()
 def prepare() -> None:
-    """Bring the database to its newest form and make the sample library."""
-    settings = Settings()
-    schema.upgrade(make_engine(settings.database))
+    """Bring the database to its newest form and make the sample library. Safe to repeat."""
+    database = Database(make_engine(Settings().database))
+    with _progress() as progress:
+        task = progress.add_task("Making the sample library", total=None, visible=False)
+        preparation.prepare(database, lambda _: progress.update(task, advance=1, visible=True))
 
 
 @app.command()
@@ -29,13 +42,16 @@ def serve(
     workers: Annotated[int, typer.Option(help="Server processes.")] = 1,
     reload: Annotated[bool, typer.Option(help="Start again when the code changes.")] = False,
 ) -> None:
-    """Start the server."""
+    """Start the server. The first start prints the link that makes a researcher's account."""
+    import uvicorn
+
     settings = Settings()
-    database = Database(make_engine(settings.database))
+    database = _prepared_database(settings)
     with database.writing() as db:
         if not researchers.any_exists(db):
-            link = researchers.make_setup_link(db, settings.public_url)
-            typer.echo(f"Make your researcher's account here (the link works once):\n  {link}")
+            _print_link(researchers.make_setup_link(db, settings.public_url))
+    database.engine.dispose()
+    typer.echo(f"Manner listens on http://{host}:{port}", err=True)
     uvicorn.run(
         "app.main:create_app",
         factory=True,
@@ -43,15 +59,87 @@ def serve(
         port=port,
         workers=workers,
         reload=reload,
-        access_log=False,
+        access_log=False,  # it would hold people's addresses and participants' tokens
         log_level="warning",
+        server_header=False,
         forwarded_allow_ips=settings.trusted_proxies,
     )
 
 
+@app.command("import")
+def import_files(
+    files: Annotated[list[Path], typer.Argument(help="BVH files.", exists=True, dir_okay=False)],
+    yes: Annotated[bool, typer.Option("--yes", help="Confirm all that is guessed.")] = False,
+) -> None:
+    """Import motion files. One that cannot be read does not hinder the others."""
+    from app.services import command_line_imports
+
+    database = _prepared_database(Settings())
+    with _progress() as progress:
+        task = progress.add_task("Importing", total=len(files))
+        failed = 0
+        for path in files:
+            told = command_line_imports.import_path(database, path, confirm=yes)
+            progress.console.print(told.text, markup=False, soft_wrap=True)
+            failed += told.failed
+            progress.advance(task)
+    if failed:
+        console.print(f"{failed} of {len(files)} files could not be imported.")
+        raise typer.Exit(1)
+
+
+@app.command()
+def openapi() -> None:
+    """Print the API's OpenAPI document, from which the front end's types are generated."""
+    from app.main import create_app
+
+    settings = Settings(database_url="sqlite://", secret_key="x" * 32)
+    typer.echo(json.dumps(create_app(settings).openapi(), indent=2))
+
+
+@app.command("set-up-link")
+def set_up_link() -> None:
+    """Print another one-time link that makes a researcher's account."""
+    settings = Settings()
+    with _prepared_database(settings).writing() as db:
+        _print_link(researchers.make_setup_link(db, settings.public_url))
+
+
+@app.command("reset-password")
+def reset_password(email: str) -> None:
+    """Give a researcher a new password, and end all earlier sign-ins."""
+    password = typer.prompt("New password", hide_input=True, confirmation_prompt=True)
+    with _prepared_database(Settings()).writing() as db:
+        researchers.reset_password(db, email, password)
+    typer.echo("The password is changed.")
+
+
 def main() -> None:
-    """Run the command line."""
-    app()
+    """Run the command line; a fault that a person can mend is told without a trace."""
+    try:
+        app()
+    except MannerError as error:
+        console.print(f"{error.message} {error.mend or ''}", markup=False)
+        raise SystemExit(1) from error
+
+
+def _prepared_database(settings: Settings) -> Database:
+    database = Database(make_engine(settings.database))
+    if preparation.needs_migration(database):
+        console.print("The database is not prepared. Run: manner prepare")
+        raise typer.Exit(1)
+    return database
+
+
+def _print_link(link: str) -> None:
+    # Not by rich, which would break the line in the middle of the link.
+    typer.echo(f"Make a researcher's account here; the link works once:\n\n  {link}\n")
+
+
+def _progress() -> Progress:
+    return Progress(
+        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), console=console
+    )
 
 
 if __name__ == "__main__":

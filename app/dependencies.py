@@ -16,13 +16,15 @@ from app.security import AttemptLimiter, SignInCookies
 from app.services import researchers
 from app.settings import Settings
 
+# Those that only look something up are async: a plain function would cost a turn in a thread.
 
-def _settings(request: Request) -> Settings:
+
+async def _settings(request: Request) -> Settings:
     settings: Settings = request.app.state.settings
     return settings
 
 
-def _database(request: Request) -> Database:
+async def _database(request: Request) -> Database:
     database: Database = request.app.state.database
     return database
 
@@ -37,7 +39,7 @@ def _writing(database: Annotated[Database, Depends(_database)]) -> Iterator[Sess
         yield session
 
 
-async def _writer(request: Request) -> Writer:  # async: a plain function would cost a thread
+async def _writer(request: Request) -> Writer:
     writer: Writer = request.app.state.writer
     return writer
 
@@ -49,13 +51,13 @@ Reading = Annotated[Session, Depends(_reading)]
 Writing = Annotated[Session, Depends(_writing)]
 
 
-def sign_in_cookies(request: Request) -> SignInCookies:
+async def sign_in_cookies(request: Request) -> SignInCookies:
     """The maker and reader of sign-in cookies."""
     cookies: SignInCookies = request.app.state.sign_in_cookies
     return cookies
 
 
-def attempt_limiter(request: Request) -> AttemptLimiter:
+async def attempt_limiter(request: Request) -> AttemptLimiter:
     """The brake on guessing passwords."""
     limiter: AttemptLimiter = request.app.state.attempt_limiter
     return limiter
@@ -63,7 +65,7 @@ def attempt_limiter(request: Request) -> AttemptLimiter:
 
 def maybe_researcher(request: Request, database: CurrentDatabase) -> Researcher | None:
     """The researcher who is signed in on this browser; pages show the name."""
-    cookies = sign_in_cookies(request)
+    cookies: SignInCookies = request.app.state.sign_in_cookies
     known = cookies.read(request.cookies.get(cookies.name))
     researcher = None
     if known:

@@ -16,7 +16,17 @@ from app.logs import LogMiddleware, configure_logs
 from app.pages import make_templates
 from app.persistence.engine import Database, make_engine
 from app.persistence.writer import Writer
-from app.routes import health, participant, research, research_auth, sessions_api
+from app.routes import (
+    health,
+    imports,
+    library,
+    media,
+    pages,
+    participant,
+    research,
+    research_auth,
+    sessions_api,
+)
 from app.security import (
     AttemptLimiter,
     BodyLimitMiddleware,
@@ -24,10 +34,15 @@ from app.security import (
     HeadersMiddleware,
     SignInCookies,
 )
+from app.services.media import MediaStore
 from app.settings import PROJECT, Settings
 
 BUILT = PROJECT / "static" / "dist"
 ROUTERS = (
+    pages.router,
+    library.router,
+    imports.router,
+    media.router,
     health.router,
     research_auth.router,
     participant.router,
@@ -51,6 +66,7 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
     )
     app.state.settings = settings
     app.state.database = Database(make_engine(settings.database))
+    app.state.media = MediaStore(app.state.database)
     app.state.templates = make_templates(Assets(built))
     app.state.sign_in_cookies = SignInCookies(settings)
     app.state.attempt_limiter = AttemptLimiter(settings.sign_in_attempts)

@@ -16,7 +16,7 @@ from app.errors import ConflictError, InvalidError, NotFoundError
 from app.persistence import researchers
 from app.persistence.models import Researcher, now
 
-SHORTEST_PASSWORD = 10
+SHORTEST_PASSWORD = 12
 LINK_LIFETIME = timedelta(days=3)
 
 _hasher = PasswordHasher()

@@ -1,0 +1,94 @@
+"""The library's clips and the figures of their skeletons."""
+
+from __future__ import annotations
+
+from sqlalchemy import Text, cast, or_, select, update
+from sqlalchemy.orm import Session
+
+from app.persistence import blobs
+from app.persistence.models import ClipRecord, FigureRecord, Response, Study, StudySession
+
+
+def listed(db: Session, *, imported: bool) -> list[tuple[ClipRecord, str | None]]:
+    """The library in its order, each clip with its figure's hash, in one query."""
+    query = (
+        select(ClipRecord, FigureRecord.glb_blob)
+        .outerjoin(FigureRecord, FigureRecord.skeleton_hash == ClipRecord.skeleton_hash)
+        .where(ClipRecord.state != "retired")
+        .order_by(ClipRecord.source, ClipRecord.name, ClipRecord.id)
+    )
+    if not imported:
+        query = query.where(ClipRecord.source == "sample")
+    return [(clip, figure) for clip, figure in db.execute(query)]
+
+
+def by_id(db: Session, clip_id: str) -> ClipRecord | None:
+    """The clip with this content hash."""
+    return db.get(ClipRecord, clip_id)
+
+
+def by_source(db: Session, source_hash: str) -> ClipRecord | None:
+    """The imported clip that was read from the file with this hash."""
+    return db.scalar(
+        select(ClipRecord).where(ClipRecord.source_blob == source_hash).order_by(ClipRecord.state)
+    )
+
+
+def put(db: Session, clip: ClipRecord) -> ClipRecord:
+    """Store a clip, in the place of the one with the same content."""
+    old = by_id(db, clip.id)
+    replaced = _files(old) if old else set()
+    stored = db.merge(clip)
+    blobs.delete_orphans(db, replaced - _files(stored))
+    return stored
+
+
+def delete(db: Session, clip: ClipRecord) -> None:
+    """Delete a clip and the files that nothing else needs."""
+    db.delete(clip)
+    blobs.delete_orphans(db, _files(clip))
+
+
+def is_in_use(db: Session, clip_id: str) -> bool:
+    """Whether a study shows the clip, a participant will see it or somebody has answered it."""
+    uses = (
+        select(Response.id).where(Response.clip_id == clip_id),
+        select(Study.id).where(cast(Study.definition, Text).contains(clip_id)),
+        select(StudySession.id).where(cast(StudySession.plan, Text).contains(clip_id)),
+    )
+    return bool(db.scalar(select(or_(*(query.exists() for query in uses)))))
+
+
+def figure(db: Session, skeleton_hash: str) -> FigureRecord | None:
+    """The figure of a skeleton, if it was made."""
+    return db.get(FigureRecord, skeleton_hash)
+
+
+def put_figure(db: Session, skeleton_hash: str, glb: bytes, engine_version: str) -> None:
+    """Store a skeleton's figure in the place of an older one."""
+    digest = blobs.put(db, glb, blobs.GLB)
+    old = figure(db, skeleton_hash)
+    replaced = {old.glb_blob} if old and old.glb_blob != digest else set()
+    db.merge(
+        FigureRecord(skeleton_hash=skeleton_hash, glb_blob=digest, engine_version=engine_version)
+    )
+    blobs.delete_orphans(db, replaced)
+
+
+def has_samples_of(db: Session, engine_version: str) -> bool:
+    """Whether this engine has made the sample library; it is stored whole or not at all."""
+    query = select(ClipRecord.id).where(
+        ClipRecord.source == "sample",
+        ClipRecord.state == "kept",
+        ClipRecord.engine_version == engine_version,
+    )
+    return db.scalar(query.limit(1)) is not None
+
+
+def retire_samples(db: Session) -> None:
+    """Take all samples out of the library; answers may still refer to them."""
+    db.execute(update(ClipRecord).where(ClipRecord.source == "sample").values(state="retired"))
+
+
+def _files(clip: ClipRecord) -> set[str]:
+    return {clip.clip_blob, clip.glb_blob, *filter(None, [clip.source_blob])}

@@ -1,0 +1,40 @@
+"""The pages that are about motion: the first page, the library, one clip."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Request
+from fastapi.responses import HTMLResponse
+
+from app.dependencies import MaybeResearcher, Reading
+from app.pages import render
+from app.services import landing, library
+
+router = APIRouter(include_in_schema=False)
+
+
+@router.get("/")
+def first_page(request: Request, db: Reading, _: MaybeResearcher) -> HTMLResponse:
+    """What this is, and the three ways on."""
+    found = landing.find(db)
+    return render(request, "landing.html", clip=found.clip, study=found.study)
+
+
+@router.get("/library")
+def library_page(request: Request, _: MaybeResearcher) -> HTMLResponse:
+    """Every clip; a script asks the API for them."""
+    return render(request, "library.html", section="library")
+
+
+@router.get("/library/{clip_id}")
+def clip_page(
+    request: Request, clip_id: str, db: Reading, researcher: MaybeResearcher
+) -> HTMLResponse:
+    """One clip in the viewer."""
+    clip = library.detail(db, clip_id, signed_in=researcher is not None)
+    return render(request, "clip.html", clip=clip, section="library")
+
+
+@router.get("/no-webgl")
+def no_webgl_page(request: Request) -> HTMLResponse:
+    """What to do when the browser cannot draw the figure."""
+    return render(request, "no_webgl.html")

@@ -1,0 +1,29 @@
+"""Everything that must be there before the server starts. Quick when it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.persistence import clips, schema
+from app.persistence.engine import Database
+from app.services import studies
+from app.services.engine_version import engine_version
+
+
+def needs_migration(database: Database) -> bool:
+    """Whether the database's tables are older than the code."""
+    return schema.current(database.engine) != schema.head()
+
+
+def prepare(database: Database, on_progress: Callable[[str], None]) -> None:
+    """Migrate, make the sample library, make the demonstration study; what is there stays."""
+    if needs_migration(database):
+        schema.upgrade(database.engine)
+    with database.reading() as db:
+        ready = clips.has_samples_of(db, engine_version())
+    if not ready:
+        from app.services import samples  # brings SciPy along, which takes longer than all else
+
+        samples.make(database, on_progress=on_progress)
+    with database.writing() as db:
+        studies.ensure_demonstration(db)

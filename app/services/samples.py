@@ -1,0 +1,51 @@
+"""The sample library, made by code once for each version of the motion library."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from app.persistence import clips
+from app.persistence.engine import Database
+from app.services import library
+from app.services.clip_files import ClipFiles, make_figure, make_files
+from app.services.engine_version import engine_version
+from motion.procedural.library import SampleClip, sample_clips
+
+Made = tuple[SampleClip, ClipFiles]
+
+
+def make(
+    database: Database,
+    samples: Callable[[], Iterable[SampleClip]] = sample_clips,
+    on_progress: Callable[[str], None] = lambda name: None,
+) -> int:
+    """Make the sample library and store it whole; the number of clips.
+
+    Samples of an older engine leave the library but stay in the database: answers refer to them.
+    """
+    figures: dict[str, bytes] = {}
+    made = list(_make(samples(), figures, on_progress))
+    with database.writing() as db:
+        clips.retire_samples(db)
+        for skeleton_hash, glb in figures.items():
+            clips.put_figure(db, skeleton_hash, glb, engine_version())
+        for sample, files in made:
+            library.store(
+                db, files, name=sample.name, source="sample", state="kept", tags=sample.tags
+            )
+        db.commit()
+    return len(made)
+
+
+def _make(
+    samples: Iterable[SampleClip], figures: dict[str, bytes], on_progress: Callable[[str], None]
+) -> Iterator[Made]:
+    """Each sample with its files; the figures of new skeletons go into ``figures``."""
+    for sample in samples:
+        files = make_files(sample.clip)
+        if files.skeleton_hash not in figures:
+            glb = make_figure(sample.clip)
+            if glb is not None:
+                figures[files.skeleton_hash] = glb
+        on_progress(sample.name)
+        yield sample, files
