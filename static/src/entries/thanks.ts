@@ -1,1 +1,20 @@
-export {};
+import "../styles/participant.css";
+import { Store } from "../participant/store";
+import { hasWebGL } from "../viewer/support";
+
+// Everything has arrived, or is deleted: this device has nothing more to keep.
+const { token } = document.querySelector<HTMLElement>("[data-forget]")?.dataset ?? {};
+if (token) new Store(token).clear();
+
+for (const button of document.querySelectorAll<HTMLButtonElement>("[data-copy]")) {
+  button.hidden = !navigator.clipboard;
+  button.addEventListener("click", () => void copy(button));
+}
+if (document.querySelector("motion-viewer") && hasWebGL()) void import("../viewer/motion_viewer");
+
+async function copy(button: HTMLButtonElement): Promise<void> {
+  const text = document.getElementById(button.dataset["copy"] ?? "")?.textContent?.trim() ?? "";
+  await navigator.clipboard.writeText(text);
+  const word = button.querySelector("span");
+  if (word) word.textContent = "Copied";
+}
