@@ -49,23 +49,28 @@ def detect_roles(skeleton: Skeleton, pose: WorldPose) -> RoleGuess:
         pose: their world pose in T ≥ 1 frames, used for up, forward and which joints turn.
     """
     shape = roles_by_shape(skeleton, pose)
-    names = roles_by_name(skeleton)
-    roles = _fitting(skeleton, names)
+    roles = _fitting(skeleton, roles_by_name(skeleton))
     notes = []
-    from_shape = [role for role in ROLES if role in shape and role not in roles]
-    taken = set(roles.values())
-    added = [role for role in from_shape if shape[role] not in taken]
-    if any(role in REQUIRED for role in added):
-        parts = ", ".join(role.replace("_", " ") for role in added if role in REQUIRED)
+    named = sum(role in roles for role in REQUIRED)
+    if 2 * named < len(REQUIRED) and all(role in shape for role in REQUIRED):
+        roles = shape
+        notes.append("Names did not tell the body's parts apart; its shape did")
+    added = _added(roles, shape)
+    if required := [role.replace("_", " ") for role in added if role in REQUIRED]:
+        parts = ", ".join(required)
         notes.append(f"Names did not tell which joints are {parts}; the body's shape did")
-    if any(role not in roles for role in REQUIRED) and all(role in shape for role in REQUIRED):
-        if sum(role in roles for role in REQUIRED) < len(REQUIRED) // 2:
-            roles, added = dict(shape), []
-            notes = ["Names did not tell the body's parts apart; its shape did"]
-    roles |= {role: shape[role] for role in added}
+    roles |= added
     if is_left(pose, roles) is False:
         notes.append("What the names call left lies on the body's right")
     return RoleGuess({role: roles[role] for role in ROLES if role in roles}, tuple(notes))
+
+
+def _added(roles: Mapping[str, int], shape: Mapping[str, int]) -> dict[str, int]:
+    """Roles that only the shape tells, of joints that have no role yet."""
+    taken = set(roles.values())
+    return {
+        role: joint for role, joint in shape.items() if role not in roles and joint not in taken
+    }
 
 
 def _fitting(skeleton: Skeleton, names: Mapping[str, int]) -> dict[str, int]:
@@ -75,21 +80,12 @@ def _fitting(skeleton: Skeleton, names: Mapping[str, int]) -> dict[str, int]:
         for limb in (("upper_arm", "forearm", "hand"), ("thigh", "shin", "foot", "toes")):
             present = [f"{side}_{part}" for part in limb if f"{side}_{part}" in roles]
             for near, far in pairwise(present):
-                if (
-                    near in roles
-                    and far in roles
-                    and not is_below(skeleton, roles[far], roles[near])
-                ):
+                if not {near, far} <= roles.keys():
+                    continue
+                if not skeleton.hangs_from(roles[far], roles[near]):
                     roles.pop(near)
                     roles.pop(far)
     return roles
-
-
-def is_below(skeleton: Skeleton, joint: int, ancestor: int) -> bool:
-    """Whether ``joint`` hangs from ``ancestor``, at any distance."""
-    while joint > ancestor:
-        joint = int(skeleton.parents[joint])
-    return joint == ancestor
 
 
 def sole_heights(pose: WorldPose, skeleton: Skeleton, stature: float) -> NDArray[np.float64]:

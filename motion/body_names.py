@@ -131,15 +131,9 @@ def _assign_spine(roles: dict[str, int], skeleton: Skeleton, names: list[_Name])
     if joint != roles["hips"] or not path:
         return
     arms = [roles[role] for role in ("left_upper_arm", "right_upper_arm") if role in roles]
-    below = [joint for joint in path if all(_hangs_from(skeleton, arm, joint) for arm in arms)]
+    below = [joint for joint in path if all(skeleton.hangs_from(arm, joint) for arm in arms)]
     path = below or path  # the chest is where the arms leave the spine
     roles["chest"] = path[0]
     if len(path) > 1:
         solid = [index for index in reversed(path[1:]) if lengths[index] > tiny]
         roles["spine"] = solid[0] if solid else path[-1]
-
-
-def _hangs_from(skeleton: Skeleton, joint: int, ancestor: int) -> bool:
-    while joint > ancestor:
-        joint = int(skeleton.parents[joint])
-    return joint == ancestor

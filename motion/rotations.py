@@ -53,7 +53,7 @@ def rotate(quaternions: Array, vectors: Array) -> Array:
 
 
 def from_axis_angle(axis: Array, angle: Array | float) -> Array:
-    """Quaternions (..., 4) for turns by ``angle`` (...) rad about unit vectors ``axis`` (..., 3)."""
+    """Quaternions (..., 4) of turns by ``angle`` (...) rad about unit vectors ``axis`` (..., 3)."""
     half = np.asarray(angle, dtype=float)[..., None] / 2.0
     vector = np.sin(half) * axis
     scalar = np.broadcast_to(np.cos(half), (*vector.shape[:-1], 1))

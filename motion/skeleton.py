@@ -83,6 +83,12 @@ class Skeleton:
         digest.update(np.asarray(self.offsets, "<f8").tobytes())
         return digest.hexdigest()
 
+    def hangs_from(self, joint: int, ancestor: int) -> bool:
+        """Whether ``joint`` is ``ancestor`` or moves with it, at any distance."""
+        while joint > ancestor:
+            joint = int(self.parents[joint])
+        return joint == ancestor
+
     def with_roles(self, roles: Mapping[str, int]) -> Skeleton:
         """The same joints with other body roles."""
         return replace(self, roles=dict(roles))
