@@ -56,9 +56,11 @@ def walking_channels(plan: Plan, style: Style) -> Channels:
     chest = _chest(phase, going, side, pelvis, style)
     speed = np.gradient(plan.middle(), plan.times)
     # The speed is highest in double support; its integral is the hips' advance and lag.
+    # Who keeps the feet down for longer leaves them further behind, were the hips as far ahead.
+    ahead = _AHEAD - going * 0.3 * (style.stance - 0.60)
     surge = style.surge / (4.0 * np.pi) * plan.stride_time * speed
     return Channels(
-        forward=plan.middle() + _AHEAD + going * gait.wave(phase, 1.0, 7.0 + 12.5, 2) * surge,
+        forward=plan.middle() + ahead + going * gait.wave(phase, 1.0, 7.0 + 12.5, 2) * surge,
         sideways=style.sway / 2.0 * 1.05 * side,
         drop=np.zeros_like(phase),
         pelvis=pelvis,

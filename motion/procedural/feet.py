@@ -88,11 +88,13 @@ def _pitch(phase: Array, style: Style, shares: Array) -> Array:
     """Sole's pitch (T,) rad: the published curve, exactly 0 while the foot lies flat."""
     part = phase - np.floor(phase)
     rolled = 1.0 - gait.smooth_step((part - 0.02) / 0.10) * gait.smooth_step((0.55 - part) / 0.20)
-    knots = [(-0.7, style.push_off * shares[0]), (-0.2, style.push_off * shares[0])]
+    # The longer a foot stays behind the body, the further its heel has to rise.
+    late = style.push_off * (style.stance - 0.25) / (gait.TOE_OFF - 0.25)
+    knots = [(-0.7, late * shares[0]), (-0.2, late * shares[0])]
     for count, share in enumerate(shares):
         strike = style.heel_strike * share
         knots += [(count - 0.08, strike), (count + 0.15, strike)]
-        push = style.push_off * shares[min(count + 1, len(shares) - 1)]
+        push = late * shares[min(count + 1, len(shares) - 1)]
         knots += [(count + 0.3, push), (count + 0.8, push)]
     at, gains = np.array(knots).T
     gain = np.interp(phase, at, gains)

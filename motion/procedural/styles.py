@@ -16,8 +16,8 @@ NEUTRAL = Style()
 CHARACTERS: dict[str, Style] = {
     "neutral": NEUTRAL,
     "energetic": NEUTRAL.but(
-        cadence=120, stride=1.66, stance=0.595, bounce=1.35, arm_swing=62, elbow=38,
-        elbow_swing=34, shoulder_twist=8, lean=4, head_pitch=-3, heel_strike=1.3, push_off=1.1,
+        cadence=120, stride=1.66, stance=0.595, bounce=1.35, arm_swing=58, elbow=34,
+        elbow_swing=28, shoulder_twist=8, lean=4, head_pitch=-3, heel_strike=1.3, push_off=1.1,
         step_width=0.11,
     ),
     "proud": NEUTRAL.but(
@@ -28,7 +28,7 @@ CHARACTERS: dict[str, Style] = {
     "sad": NEUTRAL.but(
         cadence=76, stride=1.08, stance=0.67, bounce=0.65, sway=0.065, lean=5, chest_pitch=9,
         head_pitch=28, arm_swing=9, arm_forward=1, elbow=14, elbow_swing=4, shoulder_forward=9,
-        shoulder_lift=-3, shoulder_twist=2, push_off=0.8, heel_strike=0.8, knee_bend=3,
+        shoulder_lift=-3, shoulder_twist=2, push_off=1.0, heel_strike=0.9, knee_bend=3,
         foot_lift=0.7,
     ),
     "angry": NEUTRAL.but(
@@ -44,7 +44,7 @@ CHARACTERS: dict[str, Style] = {
     ),
     "timid": NEUTRAL.but(
         cadence=92, stride=0.84, stance=0.68, lean=6, chest_pitch=10, head_pitch=20, arm_swing=5,
-        arm_forward=16, arm_out=2, arm_turn=48, elbow=98, elbow_swing=4, shoulder_lift=9,
+        arm_forward=16, arm_out=4, arm_turn=36, elbow=98, elbow_swing=4, shoulder_lift=9,
         shoulder_forward=12, tension=0.7, hesitation=0.5, step_width=0.06, toe_out=1, knee_bend=8,
         bounce=0.6, heel_strike=0.6, foot_lift=0.8,
     ),
@@ -52,7 +52,7 @@ CHARACTERS: dict[str, Style] = {
         cadence=92, stride=1.16, stance=0.655, lean=8, chest_pitch=15, head_pitch=30, head_bob=4,
         heaviness=0.9, knee_bend=8, arm_swing=26, arm_forward=4, arm_out=5, elbow=10,
         elbow_swing=8, shoulder_forward=11, shoulder_lift=-4, step_width=0.15, sway=0.075,
-        foot_lift=0.55, push_off=0.8, asymmetry=0.05,
+        foot_lift=0.55, push_off=0.95, asymmetry=0.05,
     ),
     "childlike": NEUTRAL.but(
         cadence=124, stride=1.24, stance=0.6, bounce=1.7, head_bob=3, head_pitch=-5, arm_swing=54,
@@ -85,19 +85,19 @@ AFFECTS: dict[str, Style] = {
         cadence=78, stride=1.02, stance=0.67, bounce=0.6, sway=0.085, side_lean=4, lean=3,
         chest_pitch=8, head_pitch=24, head_bob=5, arm_swing=14, arm_forward=2, elbow=9,
         elbow_swing=4, shoulder_lift=-4, shoulder_forward=6, foot_lift=0.45, heel_strike=0.6,
-        push_off=0.75, knee_bend=7, step_width=0.13, asymmetry=0.05,
+        push_off=0.9, knee_bend=7, step_width=0.13, asymmetry=0.05,
     ),
     "depression": NEUTRAL.but(
         cadence=80, stride=1.04, stance=0.67, bounce=0.55, sway=0.06, lean=8, chest_pitch=13,
         head_pitch=33, arm_swing=7, arm_forward=3, arm_out=4, elbow=12, elbow_swing=3,
-        shoulder_forward=13, shoulder_lift=-4, shoulder_twist=1.5, pelvis_yaw=0.6, push_off=0.75,
+        shoulder_forward=13, shoulder_lift=-4, shoulder_twist=1.5, pelvis_yaw=0.6, push_off=0.95,
         heel_strike=0.7, foot_lift=0.6, knee_bend=5,
     ),
     "misery": NEUTRAL.but(
         cadence=88, stride=1.12, stance=0.655, bounce=0.8, sway=0.07, lean=12, chest_pitch=16,
         head_pitch=26, heaviness=1.0, arm_swing=12, arm_forward=10, arm_out=3, arm_turn=42,
         elbow=44, elbow_swing=6, shoulder_forward=15, shoulder_lift=3, tension=0.4, knee_bend=9,
-        push_off=0.8, foot_lift=0.7, asymmetry=0.04,
+        push_off=0.95, foot_lift=0.7, asymmetry=0.04,
     ),
     "distress": NEUTRAL.but(
         cadence=124, stride=1.18, stance=0.61, lean=9, chest_pitch=6, head_pitch=6, head_bob=2.5,
@@ -136,7 +136,7 @@ ACTED: dict[str, Style] = {
     "weak": NEUTRAL.but(
         cadence=88, stride=0.96, stance=0.67, bounce=0.7, lean=4, chest_pitch=7, head_pitch=13,
         arm_swing=12, arm_out=2, elbow=26, elbow_swing=5, shoulder_forward=8, shoulder_lift=-2,
-        knee_bend=11, foot_lift=0.5, push_off=0.7, heel_strike=0.55, step_width=0.11, sway=0.08,
+        knee_bend=11, foot_lift=0.5, push_off=0.9, heel_strike=0.6, step_width=0.11, sway=0.08,
         side_lean=4, pelvis_yaw=0.7, shoulder_twist=2, asymmetry=0.04,
     ),
 }  # fmt: skip
@@ -157,6 +157,7 @@ def at_speed(style: Style, speed: str) -> Style:
         cadence=style.cadence * cadence,
         stride=min(style.stride * stride, 1.78),
         stance=style.stance - 0.055 * (pace - 1.0),
+        bounce=style.bounce / max(pace, 1.0) ** 1.3,
         arm_swing=style.arm_swing * (0.5 + 0.5 * pace),
         shoulder_twist=style.shoulder_twist * (0.4 + 0.6 * pace),
         pelvis_yaw=style.pelvis_yaw * (0.5 + 0.5 * pace),

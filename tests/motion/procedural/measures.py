@@ -48,7 +48,9 @@ class Gait:
         foot = self.body.foot
         ankle, turn = self.at(f"{side}_foot"), self.turn(f"{side}_foot")
         heel = ankle + rotate(turn, np.array([0.0, -foot.ankle, foot.heel]))
-        ball = ankle + rotate(turn, np.array([0.0, -foot.ankle, foot.ball]))
+        # The ball's pad belongs to the toes: it stays on the floor while the heel rises.
+        pad = np.array([0.0, -foot.ball_height, 0.0])
+        ball = self.at(f"{side}_toes") + rotate(self.turn(f"{side}_toes"), pad)
         return np.stack([heel, ball, self.tips[f"{side}_toes"]])
 
     def velocity(self, values):
