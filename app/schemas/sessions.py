@@ -3,15 +3,17 @@
 from datetime import datetime
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, AwareDatetime, BaseModel, ConfigDict, Field
+from pydantic import BeforeValidator, AwareDatetime, BaseModel, ConfigDict, Field
 
 SessionState = Literal["active", "complete", "withdrawn"]
 Milliseconds = Annotated[float, Field(ge=0, le=1e10, allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=0, le=10**9)]
 
 
-def storable(text: str) -> str:
-    """The text without what no database stores: NUL and halves of surrogate pairs."""
+def storable(text: object) -> object:
+    """Text without what no database stores: NUL and halves of surrogate pairs."""
+    if not isinstance(text, str):
+        return text
     return text.replace("\0", "").encode("utf-8", "replace").decode()
 
 
@@ -88,7 +90,7 @@ class ViewingRecord(Message):
     hidden_ms: Milliseconds | None = None
     blur_count: Count | None = None
     dropped_frames: Count | None = None
-    tier: Annotated[str, Field(max_length=40), AfterValidator(storable)] | None = None
+    tier: Annotated[str, Field(max_length=40), BeforeValidator(storable)] | None = None
     viewport: Viewport | None = None
 
 
@@ -107,7 +109,7 @@ class Answer(Message):
     revision: Annotated[int, Field(ge=1, le=100_000)]
     answers: Annotated[dict[str, int], Field(max_length=200)]
     touched: Annotated[list[str], Field(max_length=200)]
-    comment: Annotated[str, Field(max_length=5000), AfterValidator(storable)] = ""
+    comment: Annotated[str, Field(max_length=5000), BeforeValidator(storable)] = ""
     rt_ms: Milliseconds
     time_elapsed_ms: Milliseconds
     client_time: AwareDatetime
