@@ -1,0 +1,445 @@
+/** `<motion-viewer>`: shows motions on a small stage and lets a person look, play and turn. */
+import { loadBody } from "./assets";
+import { PRESETS, type Preset } from "./camera";
+import { fetchPerformers, wantedFigures, type Wanted } from "./casting";
+import { Controls, type Playable } from "./controls";
+import { make } from "./dom";
+import { standingClip } from "./figure";
+import { handleKey, listenToPointer } from "./input";
+import { Legend } from "./legend";
+import { looks } from "./looks";
+import { failureMessage, loadingMessage, PATIENCE_MS, unsupportedMessage } from "./overlay";
+import { Player } from "./player";
+import { Surface } from "./renderer";
+import { Stage } from "./stage";
+import { Statistics, type Tier, type ViewingStatistics } from "./statistics";
+import { viewerStyles } from "./styles";
+import { hasWebGL } from "./support";
+import { modeOf, wantsStillness, watchMode } from "./theme";
+import { tierChooser } from "./tier";
+import { Visibility } from "./visibility";
+
+const HELP =
+  "Space plays and pauses, R replays, left and right arrow step by frames, Home and End go to the " +
+  "ends. Alt with the arrow keys turns the view, 0 resets it.";
+/** `timeupdate` comes at most this often while playing. */
+const TELL_MS = 100;
+const PHONE_STAGE = 400;
+const PHONE_PAD = 50;
+
+export class MotionViewer extends HTMLElement implements Playable {
+  static readonly observedAttributes = [
+    "src", "figure", "theme", "controls", "loop", "poster-time", "static", "azimuth", "tier", "label",
+  ];
+
+  private readonly player = new Player();
+  private readonly counts = new Statistics();
+  private readonly legend = new Legend();
+  private readonly area = make("div", { class: "stage", tabindex: "0", "aria-describedby": "help" });
+  private readonly overlay = make("div");
+  private readonly visibility = new Visibility(this, () => this.request());
+  private readonly resized = new ResizeObserver(() => this.layOut());
+  private readonly children_ = new MutationObserver(() => this.reload());
+  private stage: Stage | null = null;
+  private controls: Controls | null = null;
+  private stopWatching = () => {};
+  private frameRequest = 0;
+  private reloadQueued = false;
+  private load = 0;
+  private loaded = false;
+  private lastFrame: number | null = null;
+  private lastTold = 0;
+  private shortestFrame = 0;
+  private chosenPreset: Preset | null = "three-quarter";
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: "open" });
+    root.adoptedStyleSheets = [viewerStyles()];
+    const help = make("p", { class: "hidden", id: "help" }, HELP);
+    root.append(this.area, help, this.legend.element, this.overlay);
+    this.area.setAttribute("role", "application");
+    this.area.setAttribute("aria-roledescription", "moving figure");
+    const turn = {
+      orbit: (azimuth: number, elevation: number) => this.turnBy(azimuth, elevation),
+      zoomBy: (factor: number) => this.zoomBy(factor),
+      turned: () => this.counts.countCameraMove(),
+    };
+    listenToPointer(this.area, turn, () => this.isFull);
+    this.addEventListener("keydown", (event) => this.onKey(event, turn));
+    this.player.onStart = () => this.counts.countPlay();
+    this.player.onEnd = () => this.tell("ended");
+  }
+
+  connectedCallback(): void {
+    if (!hasWebGL()) return this.giveUp();
+    this.stage = new Stage(new Surface());
+    this.stage.surface.onLost = () => this.request();
+    this.area.prepend(this.stage.surface.element);
+    this.stopWatching = watchMode(() => this.applyTheme());
+    this.visibility.start();
+    this.children_.observe(this, { childList: true, subtree: true, attributes: true,
+      attributeFilter: ["src", "figure", "as", "role", "ghost", "label"] });
+    this.resized.observe(this);
+    this.applyTheme();
+    this.applyTier();
+    this.buildControls();
+    this.reload();
+  }
+
+  disconnectedCallback(): void {
+    cancelAnimationFrame(this.frameRequest);
+    this.frameRequest = 0;
+    this.load += 1;
+    this.player.pause();
+    this.stopWatching();
+    this.visibility.stop();
+    this.children_.disconnect();
+    this.resized.disconnect();
+    this.stage?.dispose();
+    this.stage?.surface.dispose();
+    this.stage = null;
+  }
+
+  attributeChangedCallback(name: string): void {
+    if (!this.stage) return;
+    if (name === "src" || name === "figure") this.reload();
+    else if (name === "theme") this.applyTheme();
+    else if (name === "tier") this.applyTier();
+    else if (name === "controls" || name === "static") this.buildControls();
+    else if (name === "loop") this.applyLoop();
+    else if (name === "azimuth") this.stage.setAzimuth(this.number("azimuth"));
+    else if (name === "label") this.applyLabel();
+    this.request();
+  }
+
+  get currentTime(): number {
+    return this.player.currentTime;
+  }
+
+  set currentTime(seconds: number) {
+    this.seek(seconds);
+  }
+
+  /** Seconds; 0 until `ready`. */
+  get duration(): number {
+    return this.player.duration;
+  }
+
+  get paused(): boolean {
+    return this.player.paused;
+  }
+
+  /** Seconds of the shortest frame among the clips shown. */
+  get frameTime(): number {
+    return this.shortestFrame;
+  }
+
+  get speed(): number {
+    return this.player.speed;
+  }
+
+  set speed(speed: number) {
+    this.player.speed = Math.min(Math.max(speed, 0.05), 8);
+    this.request();
+  }
+
+  get loop(): boolean {
+    return this.player.loop;
+  }
+
+  set loop(loop: boolean) {
+    this.player.loop = loop;
+    this.request();
+  }
+
+  get figures(): readonly { jointPositions(): Float32Array }[] {
+    return this.stage?.figures ?? [];
+  }
+
+  get statistics(): ViewingStatistics {
+    return this.counts.report(this.tier);
+  }
+
+  get cameraMoved(): boolean {
+    return this.stage?.orbit.moved ?? false;
+  }
+
+  get preset(): Preset | null {
+    return this.chosenPreset;
+  }
+
+  play(): void {
+    if (!this.loaded) return;
+    this.player.play();
+    this.request();
+  }
+
+  pause(): void {
+    this.player.pause();
+    this.request();
+  }
+
+  replay(): void {
+    if (!this.loaded) return;
+    this.player.replay();
+    this.request();
+  }
+
+  /** Goes to a moment and shows it at once, playing or not. */
+  seek(seconds: number): void {
+    this.player.seek(seconds);
+    this.stage?.setTime(this.player.elapsed);
+    this.request();
+  }
+
+  resetCamera(): void {
+    this.chosenPreset = this.hasAttribute("azimuth") ? null : "three-quarter";
+    this.stage?.orbit.reset(wantsStillness());
+    this.counts.countCameraMove();
+    this.request();
+  }
+
+  /** Turns to one of the named views. */
+  view(preset: Preset): void {
+    this.chosenPreset = preset;
+    this.stage?.orbit.flyTo(PRESETS[preset], wantsStillness());
+    this.counts.countCameraMove();
+    this.request();
+  }
+
+  private get isStatic(): boolean {
+    return this.hasAttribute("static");
+  }
+
+  private get isFull(): boolean {
+    return this.getAttribute("controls") === "full" && !this.isStatic;
+  }
+
+  private get tier(): Tier {
+    const asked = this.getAttribute("tier");
+    return asked === "full" || asked === "plain" ? asked : tierChooser().tier;
+  }
+
+  private number(attribute: string): number | null {
+    const text = this.getAttribute(attribute);
+    const value = Number(text);
+    return text !== null && text.trim() !== "" && Number.isFinite(value) ? value : null;
+  }
+
+  private tell(name: string, detail?: unknown): void {
+    this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+
+  private giveUp(): void {
+    this.area.hidden = true;
+    this.overlay.replaceChildren(unsupportedMessage());
+    queueMicrotask(() => this.tell("unsupported"));
+  }
+
+  private buildControls(): void {
+    this.controls?.bar.remove();
+    this.controls?.views?.remove();
+    this.controls = null;
+    const kind = this.getAttribute("controls") ?? "simple";
+    if (kind !== "none" && !this.isStatic) {
+      this.controls = new Controls(this, kind === "full");
+      this.controls.bar.hidden = !this.loaded;
+      this.shadowRoot!.append(this.controls.bar);
+      if (this.controls.views) this.shadowRoot!.append(this.controls.views);
+      this.resized.observe(this.controls.bar);
+    }
+    this.layOut();
+  }
+
+  private applyTheme(): void {
+    this.stage?.setMode(modeOf(this.getAttribute("theme")));
+    this.request();
+  }
+
+  private applyTier(): void {
+    this.stage?.setTier(this.tier);
+    this.stage?.setTime(this.player.elapsed);
+    this.layOut();
+  }
+
+  private applyLoop(): void {
+    const asked = this.getAttribute("loop");
+    this.player.loop = asked === null || asked === "auto" ? this.player.endless : asked !== "off";
+  }
+
+  private applyLabel(): void {
+    const label = this.getAttribute("label") ?? this.getAttribute("aria-label");
+    this.area.setAttribute("aria-label", label ?? "Stage with a moving figure");
+  }
+
+  private layOut(): void {
+    if (!this.stage || this.clientWidth === 0) return;
+    const { clientWidth: width, clientHeight: height } = this;
+    const { padTop, padControls } = looks.camera.fit;
+    const bare = this.controls === null;
+    const bar = this.controls?.bar.hidden === false ? this.controls.bar.offsetHeight : 0;
+    const usual = height < PHONE_STAGE ? PHONE_PAD : padControls;
+    const legend = this.legend.element.hidden ? 0 : 24;
+    const views = this.controls?.views ? 44 : 0;
+    this.stage.setFrame({
+      width,
+      height,
+      top: bare ? 12 : padTop + Math.max(legend, views),
+      bottom: bare ? 12 : Math.max(usual, bar + 4),
+      side: 8,
+    });
+    const ratio = this.tier === "plain" ? Math.min(devicePixelRatio, 1.5) : devicePixelRatio;
+    this.stage.surface.resize(width, height, ratio);
+    this.request();
+  }
+
+  private reload(): void {
+    if (this.reloadQueued) return;
+    this.reloadQueued = true;
+    queueMicrotask(() => {
+      this.reloadQueued = false;
+      if (this.stage) void this.fetchAll();
+    });
+  }
+
+  private async fetchAll(): Promise<void> {
+    const load = (this.load += 1);
+    const wanted = wantedFigures(this);
+    this.clearStage();
+    if (wanted.length === 0) return;
+    const current = () => load === this.load;
+    const waiting = this.announce(wanted, current);
+    try {
+      const performers = await fetchPerformers(wanted, (loaded, total) => {
+        if (!current()) return;
+        waiting.show(loaded / total);
+        this.tell("progress", { loaded, total });
+      });
+      if (current()) this.begin(performers, wanted);
+    } catch (error) {
+      if (current()) this.fail(error instanceof Error ? error : new Error(String(error)));
+    } finally {
+      waiting.stop();
+    }
+  }
+
+  /** After a moment of patience: a pale standing figure and a thin bar. */
+  private announce(wanted: Wanted[], current: () => boolean) {
+    const message = loadingMessage();
+    const showPale = async () => {
+      if (!current()) return;
+      this.overlay.replaceChildren(message.element);
+      const body = await loadBody(wanted[0]!.figure);
+      if (!current() || this.loaded) return;
+      this.stage?.cast([{ body, clip: standingClip(body), role: "original", ghost: "loading" }]);
+      this.request();
+    };
+    const timer = setTimeout(() => void showPale().catch(() => {}), PATIENCE_MS);
+    return { show: message.show, stop: () => clearTimeout(timer) };
+  }
+
+  private clearStage(): void {
+    this.loaded = false;
+    this.player.load([]);
+    this.stage?.cast([]);
+    this.legend.show([]);
+    this.overlay.replaceChildren();
+    if (this.controls) this.controls.bar.hidden = true;
+    this.applyLabel();
+    this.layOut();
+  }
+
+  private begin(performers: Awaited<ReturnType<typeof fetchPerformers>>, wanted: Wanted[]): void {
+    const { stage, player } = this;
+    if (!stage) return;
+    this.overlay.replaceChildren();
+    stage.setAzimuth(this.number("azimuth"));
+    stage.cast(performers);
+    player.load(performers.map(({ clip }) => clip));
+    this.shortestFrame = Math.min(...performers.map(({ clip }) => clip.frameTime));
+    this.applyLoop();
+    this.counts.reset();
+    this.loaded = true;
+    this.legend.show(wanted.map((one) => ({ ...one, ghost: one.ghost !== null })));
+    if (this.controls) this.controls.bar.hidden = false;
+    this.layOut();
+    this.legend.place(stage.labelPlaces());
+    if (this.hasAttribute("autoplay") && !this.isStatic) player.play();
+    else this.seek(this.number("poster-time") ?? 0);
+    this.lastFrame = null;
+    this.drawFrame(performance.now());
+    this.tell("ready");
+    this.request();
+  }
+
+  private fail(error: Error): void {
+    this.overlay.replaceChildren(failureMessage(error, () => this.reload()));
+    this.tell("error", { message: error.message });
+  }
+
+  private turnBy(azimuth: number, elevation: number): void {
+    this.chosenPreset = null;
+    this.stage?.orbit.orbit(azimuth, elevation);
+    this.request();
+  }
+
+  private zoomBy(factor: number): void {
+    this.stage?.orbit.zoomBy(factor);
+    this.request();
+  }
+
+  private onKey(event: KeyboardEvent, turn: Parameters<typeof handleKey>[2]): void {
+    const origin = event.composedPath()[0] as HTMLElement;
+    const own = origin === this.area || origin === this.controls?.scrubber;
+    if (!own && (event.key === " " || origin.localName === "select")) return;
+    if (!this.loaded || this.isStatic) return;
+    if (handleKey(event, this, turn, this.isFull)) event.preventDefault();
+  }
+
+  /** Asks for one more frame, unless nobody could see it. */
+  private request(): void {
+    if (!this.visibility.visible) this.lastFrame = null;
+    else if (this.frameRequest === 0 && this.stage) {
+      this.frameRequest = requestAnimationFrame((now) => this.onFrame(now));
+    }
+  }
+
+  private onFrame(now: number): void {
+    this.frameRequest = 0;
+    if (!this.stage || !this.visibility.visible) {
+      this.lastFrame = null;
+      return;
+    }
+    const passed = this.lastFrame === null ? 0 : now - this.lastFrame;
+    const { player, stage } = this;
+    const moving = !player.paused;
+    player.advance(passed / 1000);
+    stage.orbit.advance(passed);
+    if (moving && passed > 0) this.counts.countInterval(passed);
+    const busy = this.drawFrame(now);
+    // Only frames in a running sequence say what a frame costs: the first one compiles shaders.
+    if (passed > 0) this.counts.countWork(busy);
+    if (moving && passed > 0 && tierChooser().note(passed)) this.applyTier();
+    const going = !player.paused || stage.orbit.flying;
+    this.lastFrame = going ? now : null;
+    if (going) this.request();
+  }
+
+  /** Poses and draws; returns the main-thread time it took, in milliseconds. */
+  private drawFrame(now: number): number {
+    const { stage, player } = this;
+    if (!stage) return 0;
+    const started = performance.now();
+    if (this.loaded) stage.setTime(player.elapsed);
+    stage.draw();
+    const busy = performance.now() - started;
+    if (this.loaded) this.counts.countFrame();
+    this.controls?.update();
+    if (now - this.lastTold >= TELL_MS || player.paused) {
+      this.lastTold = now;
+      this.tell("timeupdate");
+    }
+    return busy;
+  }
+}

@@ -1,0 +1,174 @@
+/** One body on the stage, posed by one clip. */
+import { Bone, Group, Matrix4, Skeleton, SkinnedMesh, Vector3, Vector4 } from "three";
+import type { Body, SolePoint } from "./body";
+import { LIMBS } from "./body";
+import { MotionClip, type Pose } from "./clip";
+import { Disc } from "./ground";
+import type { FigureRole, GhostKind, Mode } from "./looks";
+import { Clay, ghostDepthMaterial } from "./material";
+import { MOST_SOLE_POINTS, MOST_SPHERES } from "./shading";
+import type { Tier } from "./statistics";
+
+/** How much of the full contact shade one point of a sole gives; neighbours add up to it. */
+const SOLE_STRENGTH = 0.5;
+
+export interface FigureOptions {
+  role: FigureRole;
+  ghost: GhostKind | null;
+  tier: Tier;
+  /** x of its place on the stage, metres. */
+  place: number;
+  discRadius: number;
+}
+
+export class Figure {
+  readonly group = new Group();
+  readonly disc: Disc | null;
+  private readonly moving = new Group();
+  private readonly bones: Bone[];
+  private readonly skeleton: Skeleton;
+  private readonly mesh: SkinnedMesh;
+  private readonly depth: SkinnedMesh | null;
+  private readonly clay: Clay;
+  private readonly spheres: Vector4[];
+  private readonly soles: Vector4[];
+  private readonly pose: Pose;
+  /** For each joint of the clip its bone, or -1 where the body has none. */
+  private readonly links: Int16Array;
+  private readonly point = new Vector3();
+  private readonly solePoints: SolePoint[];
+
+  constructor(
+    private readonly body: Body,
+    readonly clip: MotionClip,
+    private readonly options: FigureOptions,
+  ) {
+    this.pose = clip.makePose();
+    this.bones = makeBones(body);
+    const byName = new Map(body.joints.map((joint, index) => [joint.name, index]));
+    this.links = Int16Array.from(clip.names, (name) => byName.get(name) ?? -1);
+    this.skeleton = new Skeleton(
+      body.skin.map((joint) => this.bones[joint]!),
+      body.inverses,
+    );
+    this.spheres = body.spheres.slice(0, MOST_SPHERES).map((s) => new Vector4(0, 0, 0, s.radius));
+    this.solePoints = someOf(body.soles, MOST_SOLE_POINTS);
+    this.soles = this.solePoints.map(() => new Vector4());
+    this.clay = this.makeClay();
+    this.mesh = this.skinned(this.clay.material);
+    this.mesh.castShadow = this.mesh.receiveShadow = !options.ghost;
+    this.mesh.renderOrder = options.ghost ? 11 : 0;
+    this.depth = options.ghost ? this.skinned(ghostDepthMaterial(options.ghost)) : null;
+    if (this.depth) this.depth.renderOrder = 10;
+    this.bones.filter((bone) => !bone.parent).forEach((bone) => this.moving.add(bone));
+    this.group.add(this.moving);
+    this.group.position.x = options.place;
+    this.disc = options.ghost && options.ghost !== "loading"
+      ? null
+      : new Disc(options.discRadius, this.spheres, this.soles, options.tier);
+    if (this.disc) this.group.add(this.disc.mesh);
+  }
+
+  setMode(mode: Mode): void {
+    this.clay.dress(this.options.role, mode);
+    this.disc?.setMode(mode);
+  }
+
+  /** Where the hips' smoothed path has come to: x and z, metres. */
+  get path(): Float32Array {
+    return this.pose.path;
+  }
+
+  /** Takes the pose of a moment, standing over its place. */
+  setTime(seconds: number): void {
+    const { pose, bones, links } = this;
+    this.clip.sample(seconds, pose);
+    for (let joint = 0; joint < links.length; joint += 1) {
+      const bone = bones[links[joint]!];
+      bone?.quaternion.fromArray(pose.rotations, joint * 4);
+    }
+    bones[links[0]!]?.position.fromArray(pose.root);
+    this.moving.position.set(-pose.path[0]!, 0, -pose.path[1]!);
+    this.group.updateMatrixWorld(true);
+    this.placeShade();
+  }
+
+  /** World position of each joint of the clip where the motion took it: x y z, metres. */
+  jointPositions(): Float32Array {
+    const positions = new Float32Array(this.links.length * 3).fill(NaN);
+    this.links.forEach((link, joint) => {
+      const bone = this.bones[link];
+      if (!bone) return;
+      this.point.setFromMatrixPosition(bone.matrixWorld);
+      this.point.sub(this.group.position).sub(this.moving.position).toArray(positions, joint * 3);
+    });
+    return positions;
+  }
+
+  dispose(): void {
+    this.clay.dispose();
+    this.disc?.dispose();
+    this.skeleton.dispose();
+    this.group.removeFromParent();
+  }
+
+  private placeShade(): void {
+    const { body, bones, spheres, soles, solePoints, point } = this;
+    for (let index = 0; index < spheres.length; index += 1) {
+      const source = body.spheres[index]!;
+      point.copy(source.centre).applyMatrix4(bones[source.joint]!.matrixWorld);
+      spheres[index]!.set(point.x, point.y, point.z, source.radius);
+    }
+    for (let index = 0; index < soles.length; index += 1) {
+      const source = solePoints[index]!;
+      point.copy(source.point).applyMatrix4(bones[source.joint]!.matrixWorld);
+      soles[index]!.set(point.x, point.y, point.z, SOLE_STRENGTH);
+    }
+  }
+
+  private makeClay(): Clay {
+    const { tier, ghost } = this.options;
+    const shown = this.body.spheres.slice(0, MOST_SPHERES);
+    const counts = LIMBS.map((_, limb) => shown.filter((sphere) => sphere.limb === limb).length);
+    return new Clay({ spheres: this.spheres, counts, tier, ghost });
+  }
+
+  private skinned(material: SkinnedMesh["material"]): SkinnedMesh {
+    const mesh = new SkinnedMesh(this.body.geometry, material);
+    mesh.frustumCulled = false;
+    mesh.bind(this.skeleton, new Matrix4());
+    this.moving.add(mesh);
+    return mesh;
+  }
+}
+
+/** A body standing in its bind pose: what is shown before its motion has arrived. */
+export function standingClip(body: Body): MotionClip {
+  return new MotionClip({
+    names: body.joints.map((joint) => joint.name),
+    parents: Int16Array.from(body.joints, (joint) => joint.parent),
+    offsets: Float32Array.from(body.joints.flatMap((joint) => joint.translation)),
+    rotations: Float32Array.from(body.joints.flatMap((joint) => joint.rotation)),
+    roots: Float32Array.from(body.joints[0]!.translation),
+    frameTime: 1 / 30,
+    cyclic: false,
+  });
+}
+
+function makeBones(body: Body): Bone[] {
+  const bones = body.joints.map((joint) => {
+    const bone = new Bone();
+    bone.name = joint.name;
+    bone.position.fromArray(joint.translation);
+    bone.quaternion.fromArray(joint.rotation);
+    return bone;
+  });
+  body.joints.forEach((joint, index) => bones[joint.parent]?.add(bones[index]!));
+  return bones;
+}
+
+/** At most so many of a list, evenly spread. */
+function someOf<T>(items: readonly T[], most: number): T[] {
+  const step = Math.max(items.length / most, 1);
+  return Array.from({ length: Math.min(items.length, most) }, (_, k) => items[Math.floor(k * step)]!);
+}

@@ -1,0 +1,2 @@
+export * from "./motion_viewer";
+export * from "./thumbnails";

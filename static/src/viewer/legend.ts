@@ -1,0 +1,34 @@
+/** Which figure is which: a word in its colour, above the figure or in a row for ghosts. */
+import { make } from "./dom";
+import type { FigureRole } from "./looks";
+
+export interface LegendEntry {
+  label: string;
+  role: FigureRole;
+  ghost: boolean;
+}
+
+export class Legend {
+  readonly element = make("ul", { class: "legend", hidden: true });
+
+  show(entries: LegendEntry[]): void {
+    const labelled = entries.filter((entry) => entry.label);
+    this.element.hidden = labelled.length === 0;
+    this.element.classList.toggle("row", entries.some((entry) => entry.ghost));
+    this.element.replaceChildren(
+      ...labelled.map(({ label, role, ghost }) =>
+        make("li", { class: `${role}${ghost ? " ghost" : ""}` }, label),
+      ),
+    );
+  }
+
+  /** Puts each label over its figure: pixels from the left of the stage. */
+  place(columns: number[]): void {
+    const above = columns.length === this.element.children.length && columns.length > 1;
+    this.element.classList.toggle("above", above);
+    this.element.classList.toggle("row", !above);
+    [...this.element.children].forEach((item, index) => {
+      (item as HTMLElement).style.left = above ? `${columns[index]!.toFixed(0)}px` : "";
+    });
+  }
+}

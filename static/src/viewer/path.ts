@@ -1,0 +1,48 @@
+/** The way the camera follows: the hips' path over the floor with the sway and bounce taken out. */
+
+/** Seconds over which the path is smoothed (standard deviation): longer than a step's sway. */
+const SPREAD = 0.4;
+
+/**
+ * Smooths the roots' x and z over time.
+ *
+ * A cyclic clip's path goes on beyond its ends by its own travel, so that it has no seam. Any other
+ * path is mirrored through its end points, which keeps the traveller over the disc there.
+ */
+export function smoothPath(roots: Float32Array, frameTime: number, cyclic: boolean): Float32Array {
+  const frames = roots.length / 3;
+  const path = new Float32Array(frames * 2);
+  const radius = Math.ceil((3 * SPREAD) / frameTime);
+  const weights = Float64Array.from({ length: radius + 1 }, (_, k) =>
+    Math.exp(-0.5 * ((k * frameTime) / SPREAD) ** 2),
+  );
+  const total = weights.reduce((sum, weight, k) => sum + (k ? 2 * weight : weight), 0);
+  for (let axis = 0; axis < 2; axis += 1) {
+    const at = cyclic ? endless(roots, axis * 2) : mirrored(roots, axis * 2);
+    for (let frame = 0; frame < frames; frame += 1) {
+      let sum = weights[0]! * at(frame);
+      for (let k = 1; k <= radius; k += 1) sum += weights[k]! * (at(frame - k) + at(frame + k));
+      path[frame * 2 + axis] = sum / total;
+    }
+  }
+  return path;
+}
+
+function endless(roots: Float32Array, axis: number): (frame: number) => number {
+  const steps = roots.length / 3 - 1;
+  const travel = roots[steps * 3 + axis]! - roots[axis]!;
+  return (frame) => {
+    const cycle = Math.floor(frame / steps);
+    return roots[(frame - cycle * steps) * 3 + axis]! + cycle * travel;
+  };
+}
+
+function mirrored(roots: Float32Array, axis: number): (frame: number) => number {
+  const last = roots.length / 3 - 1;
+  const value = (frame: number) => roots[Math.min(Math.max(frame, 0), last) * 3 + axis]!;
+  return (frame) => {
+    if (frame < 0) return 2 * value(0) - value(-frame);
+    if (frame > last) return 2 * value(last) - value(2 * last - frame);
+    return value(frame);
+  };
+}

@@ -1,0 +1,132 @@
+/** The page's one WebGL context. A lone view shows its canvas; several views get copies of it. */
+import { Vector4, WebGLRenderer, PCFShadowMap, NoToneMapping, type Camera, type Scene } from "three";
+
+export const MOST_PIXEL_RATIO = 2;
+
+/** A place on the page where a scene appears. */
+export class Surface {
+  /** Holds whichever canvas shows the picture now. */
+  readonly element = document.createElement("div");
+  private readonly copy = document.createElement("canvas");
+  private paper: CanvasRenderingContext2D | null = null;
+  width = 1;
+  height = 1;
+  ratio = 1;
+  /** Asks the owner to draw again: the picture was lost. */
+  onLost: () => void = () => {};
+
+  constructor(private readonly shared: SharedRenderer = sharedRenderer()) {
+    this.element.className = "canvas";
+    shared.add(this);
+  }
+
+  /** Size in CSS pixels. */
+  resize(width: number, height: number, ratio: number): void {
+    this.width = Math.max(Math.round(width), 1);
+    this.height = Math.max(Math.round(height), 1);
+    this.ratio = Math.min(ratio, MOST_PIXEL_RATIO);
+  }
+
+  get pixelWidth(): number {
+    return Math.round(this.width * this.ratio);
+  }
+
+  get pixelHeight(): number {
+    return Math.round(this.height * this.ratio);
+  }
+
+  draw(scene: Scene, camera: Camera): void {
+    this.shared.draw(this, scene, camera);
+  }
+
+  /** Shows the shared canvas itself, or (null) the copy. */
+  show(canvas: HTMLCanvasElement | null): void {
+    const shown = canvas ?? this.copy;
+    if (shown.parentNode === this.element) return;
+    this.element.replaceChildren(shown);
+    this.onLost();
+  }
+
+  /** Copies the lower left corner of the shared canvas, which was just drawn. */
+  take(source: HTMLCanvasElement): void {
+    const { copy, pixelWidth, pixelHeight } = this;
+    if (copy.width !== pixelWidth) copy.width = pixelWidth;
+    if (copy.height !== pixelHeight) copy.height = pixelHeight;
+    this.paper ??= copy.getContext("2d");
+    this.paper?.clearRect(0, 0, pixelWidth, pixelHeight);
+    const from = source.height - pixelHeight;
+    this.paper?.drawImage(source, 0, from, pixelWidth, pixelHeight, 0, 0, pixelWidth, pixelHeight);
+  }
+
+  dispose(): void {
+    this.shared.remove(this);
+    this.element.remove();
+  }
+}
+
+export class SharedRenderer {
+  private readonly renderer: WebGLRenderer;
+  private readonly surfaces = new Set<Surface>();
+  private readonly viewport = new Vector4();
+
+  constructor() {
+    this.renderer = new WebGLRenderer({
+      antialias: true,
+      alpha: true,
+      powerPreference: "high-performance",
+    });
+    this.renderer.setClearColor(0x000000, 0);
+    this.renderer.toneMapping = NoToneMapping;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    const canvas = this.renderer.domElement;
+    canvas.setAttribute("aria-hidden", "true");
+    canvas.addEventListener("webglcontextrestored", () => {
+      for (const surface of this.surfaces) surface.onLost();
+    });
+  }
+
+  add(surface: Surface): void {
+    this.surfaces.add(surface);
+    this.share();
+  }
+
+  remove(surface: Surface): void {
+    this.surfaces.delete(surface);
+    this.share();
+  }
+
+  draw(surface: Surface, scene: Scene, camera: Camera): void {
+    const { renderer } = this;
+    const alone = this.surfaces.size === 1;
+    this.fit(surface, alone);
+    const { pixelWidth, pixelHeight } = surface;
+    this.viewport.set(0, 0, pixelWidth, pixelHeight);
+    renderer.setViewport(this.viewport);
+    renderer.setScissor(this.viewport);
+    renderer.setScissorTest(!alone);
+    renderer.render(scene, camera);
+    if (!alone) surface.take(renderer.domElement);
+  }
+
+  /** The drawing area: exactly a lone surface's size, otherwise large enough for the largest. */
+  private fit(surface: Surface, alone: boolean): void {
+    const { width, height } = this.renderer.domElement;
+    const wide = alone ? surface.pixelWidth : Math.max(width, surface.pixelWidth);
+    const high = alone ? surface.pixelHeight : Math.max(height, surface.pixelHeight);
+    if (wide !== width || high !== height) this.renderer.setSize(wide, high, false);
+  }
+
+  private share(): void {
+    const alone = this.surfaces.size === 1;
+    for (const surface of this.surfaces) surface.show(alone ? this.renderer.domElement : null);
+  }
+}
+
+let shared: SharedRenderer | undefined;
+
+/** Made with the first view. Throws where the browser has no WebGL. */
+export function sharedRenderer(): SharedRenderer {
+  shared ??= new SharedRenderer();
+  return shared;
+}
