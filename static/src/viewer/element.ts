@@ -1,4 +1,5 @@
 /** `<motion-viewer>`: shows motions on a small stage and lets a person look, play and turn. */
+import { Vector3 } from "three";
 import { loadBody } from "./assets";
 import { PRESETS, type Preset } from "./camera";
 import { fetchPerformers, wantedFigures, type Wanted } from "./casting";
@@ -161,6 +162,13 @@ export class MotionViewer extends HTMLElement implements Playable {
     return this.counts.report(this.tier);
   }
 
+  /** Where a point of the stage (metres; y up, the disc's centre at 0) is seen: px from left and top. */
+  project(x: number, y: number, z: number): { x: number; y: number } | null {
+    if (!this.stage || !this.loaded) return null;
+    const seen = this.stage.orbit.project(new Vector3(x, y, z));
+    return { x: seen.x, y: seen.y };
+  }
+
   get cameraMoved(): boolean {
     return this.stage?.orbit.moved ?? false;
   }
@@ -285,7 +293,7 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.stage.setFrame({
       width,
       height,
-      top: bare ? 12 : padTop + Math.max(legend, views),
+      top: (bare ? 12 : padTop) + Math.max(legend, views),
       bottom: bare ? 12 : Math.max(usual, bar + 4),
       side: 8,
     });
