@@ -129,7 +129,8 @@ def ensure_demonstration(db: Session) -> Study | None:
 
 
 def _stimulus(clip: ClipRecord) -> Stimulus:
-    body, style = clip.tags.get("body", "one body"), clip.tags.get("style", clip.name)
+    body = clip.tags.get("body", "one body")
+    style = clip.tags.get("style") or clip.tags.get("emotion", clip.name)
     return Stimulus(clip=clip.id, name=clip.name, label=f"{style}, {body}", body=body, style=style)
 
 
