@@ -9,7 +9,7 @@ import { DropZone } from "./drop_zone";
 import { ImportQueue, type Imported, type ImportItem } from "./imports";
 import { caption, filtersOf, find, type Clip } from "./model";
 import type { Corrections } from "./corrections";
-import "./clip_thumbnail";
+import "../viewer/thumbnails";
 
 @customElement("clip-library")
 export class ClipLibrary extends LitElement {
@@ -183,7 +183,7 @@ export class ClipLibrary extends LitElement {
       this.show(waiting);
     };
     return html`<li><a class="clip-card ${fresh ? "fresh" : ""}" href=${clip.page_url} @click=${open}>
-      <span class="clip-stage"><clip-thumbnail .clip=${clip}></clip-thumbnail>
+      <span class="clip-stage"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail>
         ${fresh ? html`<span class="tag tag-accent">new</span>` : nothing}</span>
       <span class="clip-name">${clip.name}</span>
       <span class="tiny">${caption(clip)}</span></a></li>`;

@@ -31,3 +31,13 @@ test("a line without a column is shown from its start and marks nothing", () => 
 test("a column past the end of its line, as at a file that ends too early, marks nothing", () => {
   expect(excerpt([[9, "1 2"]], 9, 4)[0]).toMatchObject({ before: "1 2", fault: "" });
 });
+
+test("in a line that the server has cut, the quoted word nearest to its middle is the fault", () => {
+  const text = "… 1.5 nan 2.25 nan 4.75 …";
+  const [line] = excerpt([[150, text]], 150, 539, "nan", 60);
+  expect(line).toMatchObject({ before: "… 1.5 nan 2.25 ", fault: "nan", after: " 4.75 …" });
+});
+
+test("a cut line without the quoted word marks nothing rather than something wrong", () => {
+  expect(excerpt([[150, "… 1.5 2.25 …"]], 150, 539, "nan")[0]?.fault).toBe("");
+});

@@ -9,30 +9,44 @@ export interface ExcerptLine {
 }
 
 /**
- * Cut every line to at most `width` characters around the fault's column (both count from 1).
+ * Cut every line to at most `width` characters around the fault.
  *
  * Neighbouring lines are cut at the same place, so that what stands under each other in the file
  * still does so here.
+ *
+ * @param column of the fault in the file's own line, from 1.
+ * @param word the word that is at fault, where the message quotes it. The server cuts very long
+ *   lines as well (they then begin with …), after which the column alone cannot find it.
  */
 export function excerpt(
   context: readonly (readonly [number, string])[],
   line: number,
   column: number | null,
-  width = 44,
+  word = "",
+  width = 34,
 ): ExcerptLine[] {
   const faulty = context.find(([number]) => number === line)?.[1] ?? "";
-  const start = column === null ? 0 : wordStart(faulty, column - 1);
-  const from = Math.max(0, Math.min(start - Math.floor(width / 2), faulty.length - width));
+  const start = faultStart(faulty, column, word);
+  const from = Math.max(0, Math.min((start ?? 0) - (width >> 1), faulty.length - width));
   return context.map(([number, text]) => {
     const cut = (a: number, b: number) => text.slice(Math.max(a, from), Math.min(b, from + width));
-    const tail = text.length > from + width ? " …" : "";
+    const tail = text.length > from + width && !text.endsWith("…") ? " …" : "";
     const head = from > 0 && text.length > from ? "… " : "";
-    if (number !== line || column === null) {
+    if (number !== line || start === null) {
       return { number, before: head + cut(0, text.length) + tail, fault: "", after: "" };
     }
     const end = wordEnd(text, start);
-    return { number, before: head + cut(0, start), fault: cut(start, end), after: cut(end, text.length) + tail };
+    const after = cut(end, text.length) + tail;
+    return { number, before: head + cut(0, start), fault: cut(start, end), after };
   });
+}
+
+function faultStart(text: string, column: number | null, word: string): number | null {
+  if (!text.startsWith("…")) return column === null ? null : wordStart(text, column - 1);
+  const starts = [...text.matchAll(/\S+/g)].filter(([found]) => found === word).map(({ index }) => index);
+  const middle = text.length / 2; // the server keeps the fault near the middle of what it cuts out
+  starts.sort((a, b) => Math.abs(a - middle) - Math.abs(b - middle));
+  return starts[0] ?? null;
 }
 
 const wordStart = (text: string, index: number): number => {

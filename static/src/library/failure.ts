@@ -4,7 +4,7 @@ import { icon } from "../icons";
 import { excerpt } from "./excerpt";
 import type { ImportItem } from "./imports";
 
-interface Place {
+export interface Place {
   line?: number;
   column?: number;
   frame?: number;
@@ -31,11 +31,11 @@ export function failure(
   const way = offer ?? again;
   return html`<div class="note note-bad flat" role="alert">
       ${icon("warning")}
-      <p><b>${item.file.name} was not imported.</b> ${lineWords(place)}${error?.message}</p>
+      <p><b>${item.file.name} was not imported.</b> ${problem(error?.message ?? "", place)}</p>
     </div>
     <div class="drawer-body failure">
       ${placeWords(place) ? html`<h2 class="figure-title" tabindex="-1">${placeWords(place)}</h2>` : nothing}
-      ${place.context ? excerptBlock(place) : nothing}
+      ${place.context ? excerptBlock(place, error?.message ?? "") : nothing}
       ${error?.mend ? html`<p class="quiet">${error.mend}</p>` : nothing}
       <div class="buttons">
         ${way
@@ -46,14 +46,23 @@ export function failure(
     </div>`;
 }
 
-const lineWords = ({ line, column }: Place): string =>
-  line ? `Line ${line}${column ? `, column ${column}` : ""}: ` : "";
+/** The message with its place said once, as line and column; frame and joint stand in the heading. */
+export function problem(message: string, { line, column, frame, joint, channel }: Place): string {
+  const bare = message.replace(/^Line \d+(, column \d+)?: /, "");
+  const said = [frame === undefined ? "" : `frame ${frame}`, joint, channel].filter(Boolean).join(", ");
+  const rest = said && bare.startsWith(`${said}: `) ? bare.slice(said.length + 2) : bare;
+  return (line ? `Line ${line}${column ? `, column ${column}` : ""}: ` : "") + rest;
+}
 
 const placeWords = ({ frame, joint, channel }: Place): string =>
-  [frame === undefined ? "" : `Frame ${frame}`, joint, channel].filter(Boolean).join(", ");
+  [frame === undefined ? "" : `Frame ${frame}`, joint, channel && axisWords(channel)].filter(Boolean).join(", ");
 
-function excerptBlock({ context = [], line = 0, column }: Place): TemplateResult {
-  const lines = excerpt(context, line, column ?? null);
+/** "Zrotation" as a person says it. */
+const axisWords = (channel: string): string => channel.replace(/^([XYZ])(rotation|position)$/i, "$1 $2");
+
+function excerptBlock({ context = [], line = 0, column }: Place, message: string): TemplateResult {
+  const word = /“([^”]+)”/.exec(message)?.[1];
+  const lines = excerpt(context, line, column ?? null, word);
   return html`<pre class="excerpt" tabindex="0" aria-label="The file around line ${line}">${lines.map(
     ({ number, before, fault, after }) =>
       html`<span class="line-number">${number}</span>${before}${fault ? html`<mark>${fault}</mark>` : nothing}${after}\n`,

@@ -4,7 +4,7 @@ export interface Clip {
   id: string;
   name: string;
   source: "sample" | "imported";
-  state: "kept" | "to_confirm";
+  state: "kept" | "to_confirm" | "retired";
   tags: Record<string, string>;
   frames: number;
   frame_time: number;
@@ -13,7 +13,8 @@ export interface Clip {
   stature: number;
   poster_time: number;
   glb_url: string;
-  figure_url: string;
+  /** None where the skeleton lacks a human's parts. */
+  figure_url: string | null;
   page_url: string;
 }
 

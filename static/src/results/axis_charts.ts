@@ -125,4 +125,6 @@ export class AxisCharts extends LitElement {
   }
 }
 
-const dataOf = <T>(id: string): T => JSON.parse(document.getElementById(id)?.textContent ?? "null") as T;
+function dataOf<T>(id: string): T {
+  return JSON.parse(document.getElementById(id)?.textContent ?? "null") as T;
+}
