@@ -124,8 +124,8 @@ def _leg(
     heading = from_axis_angle(_Y, np.full(len(root), foot.yaw))
     sole = multiply(heading, from_axis_angle(_X, -foot.pitch))
     return {
-        f"{side}_thigh": frame_along(leg.middle - hip, -leg.hinge, -_Y),
-        f"{side}_shin": frame_along(leg.end - leg.middle, -leg.hinge, -_Y),
+        f"{side}_thigh": frame_along(leg.middle - hip, leg.hinge, -_Y),
+        f"{side}_shin": frame_along(leg.end - leg.middle, leg.hinge, -_Y),
         f"{side}_foot": sole,
         f"{side}_toes": multiply(sole, from_axis_angle(_X, -foot.bend)),
     }

@@ -55,7 +55,7 @@ CHARACTERS: dict[str, Style] = {
         foot_lift=0.55, push_off=0.95, asymmetry=0.05,
     ),
     "childlike": NEUTRAL.but(
-        cadence=124, stride=1.24, stance=0.6, bounce=1.7, head_bob=3, head_pitch=-5, arm_swing=54,
+        cadence=124, stride=1.24, stance=0.6, bounce=2.6, head_bob=3, head_pitch=-5, arm_swing=54,
         arm_out=20, elbow=48, elbow_swing=26, shoulder_twist=15, pelvis_yaw=1.2, step_width=0.15,
         foot_lift=1.9, push_off=0.8, toe_out=4, side_lean=4,
     ),
@@ -69,11 +69,11 @@ CHARACTERS: dict[str, Style] = {
 # Russell's circle of affect, eight points and the middle (motion set B).
 AFFECTS: dict[str, Style] = {
     "excitement": NEUTRAL.but(
-        cadence=126, stride=1.62, stance=0.595, bounce=1.6, arm_swing=64, elbow=56, elbow_swing=40,
+        cadence=126, stride=1.62, stance=0.585, bounce=1.5, arm_swing=64, elbow=56, elbow_swing=40,
         arm_out=14, shoulder_twist=10, head_pitch=-7, chest_pitch=-3, foot_lift=1.3, head_bob=2,
     ),
     "pleasure": NEUTRAL.but(
-        cadence=112, stride=1.56, bounce=1.35, arm_swing=48, elbow=26, elbow_swing=26, arm_out=10,
+        cadence=112, stride=1.56, stance=0.59, bounce=1.45, arm_swing=48, elbow=26, elbow_swing=26, arm_out=10,
         shoulder_twist=7, pelvis_roll=1.25, head_pitch=-6, chest_pitch=-3, side_lean=2,
     ),
     "contentment": NEUTRAL.but(
