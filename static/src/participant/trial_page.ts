@@ -34,6 +34,8 @@ export class TrialPage extends LitElement {
   @state() private form: Form = blank({ scales: [] });
   @state() private clip = "";
   @state() private figure = "";
+  /** The current trial's files are there; the viewer does the rest. */
+  @state() private fetched = false;
   @state() private ready = false;
   @state() private slow = false;
 
@@ -120,11 +122,12 @@ export class TrialPage extends LitElement {
     this.#draft = this.#course.draft();
     this.phase = { name: "trial" };
     this.form = this.#draft.form;
-    this.ready = this.slow = false;
+    this.ready = this.slow = this.fetched = false;
     const patience = setTimeout(() => (this.slow = true), SLOW_MS);
     const [clip = "", figure = ""] = await this.#preloader.want(index, () => this.requestUpdate());
     clearTimeout(patience);
     if (index !== this.#course.index || this.phase.name !== "trial") return;
+    this.fetched = true;
     if (clip === this.clip && this.#viewer) {
       this.#counted = watched(this.#viewer);
       this.#viewer.replay();
@@ -260,15 +263,14 @@ export class TrialPage extends LitElement {
   }
 
   #stage(): TemplateResult {
-    const waiting = !this.#clock.running;
     return html`${this.clip
-        ? html`<motion-viewer theme="light" controls="simple" autoplay loop="auto" src=${this.clip}
-            figure=${this.figure || nothing} @ready=${() => this.#begin()} @error=${() => (this.slow = true)}
-            @unsupported=${() => this.#cannotDraw()}></motion-viewer>`
+        ? html`<motion-viewer theme="light" controls="simple" autoplay loop="auto"
+            class=${this.fetched ? "" : "away"} src=${this.clip} figure=${this.figure || nothing}
+            @ready=${() => this.#begin()} @unsupported=${() => this.#cannotDraw()}></motion-viewer>`
         : nothing}
-      ${waiting
-        ? clipOnItsWay(this.#preloader.share(this.#course.index), this.slow, () => location.reload())
-        : nothing}`;
+      ${this.fetched
+        ? nothing
+        : clipOnItsWay(this.#preloader.share(this.#course.index), this.slow, () => location.reload())}`;
   }
 
   #cannotDraw(): void {
