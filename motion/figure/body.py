@@ -209,17 +209,17 @@ def _scaled(ring: Ring, at: float, girth: float) -> Ring:
 
 
 def _arm_shape(limb: Limb) -> Shape:
-    rings = _limb_rings(limb, profile.UPPER_ARM, profile.FOREARM)
-    arm = Loft(limb.frame, rings, (0.8 * rings[0].w, 0.6 * rings[-1].w), 0.011)
+    """Upper arm, forearm and hand are one loft, so that no seam marks the wrist."""
     size = profile.HAND_LENGTH * limb.girth[1]
     amount, start, power = profile.HAND_CURL
-    sections = []
+    rings = _limb_rings(limb, profile.UPPER_ARM, profile.FOREARM)
+    wrist = limb.upper + limb.lower
     for ring in profile.HAND:
         curl = amount * max(0.0, ring.at - start) ** power
-        sections.append(
-            _scaled(ring._replace(x=-curl, n=profile.HAND_EXPONENT), ring.at * size, size)
-        )
-    palm = Loft(limb.end, sections, (0.5 * sections[0].w, 0.7 * sections[-1].b), 0.003)
+        curled = ring._replace(x=-curl, n=profile.HAND_EXPONENT)
+        rings.append(_scaled(curled, wrist + ring.at * size, size))
+    caps = 0.8 * rings[0].w, 0.3 * rings[-1].b
+    arm = Loft(limb.frame, rings, caps, soften=0.006)
     joints = [
         limb.end.world(np.array([-inward, -up, ahead]) * size)
         for inward, up, ahead in profile.THUMB
@@ -229,13 +229,12 @@ def _arm_shape(limb: Limb) -> Shape:
         RoundCone(joints[0], joints[1], (radii[0], radii[1])),
         (RoundCone(joints[1], joints[2], (radii[1], radii[2])), 0.4 * profile.BLEND_HAND),
     )
-    hand = Union(palm, (thumb, 0.8 * profile.BLEND_HAND))
-    return Union(arm, (hand, profile.BLEND_HAND))
+    return Union(arm, (thumb, profile.BLEND_HAND))
 
 
 def _leg_shape(limb: Limb, foot: Shape, trunk: Trunk, side: str) -> Shape:
     rings = _limb_rings(limb, profile.THIGH, profile.SHIN)
-    leg = Loft(limb.frame, rings, (0.9 * rings[0].w, 0.6 * rings[-1].w), 0.014)
+    leg = Loft(limb.frame, rings, (1.5 * rings[0].w, 0.6 * rings[-1].w), 0.014)
     seat = EllipsoidShape(
         Frame(trunk.point(side, profile.SEAT.centre), np.eye(3)),
         np.zeros(3),
@@ -286,7 +285,7 @@ def _trunk_loft(trunk: Trunk, source: Sequence[Ring], cap: float) -> Loft:
         rings.append(
             sized._replace(w=wide, x=sized.x + float(centre[0]), z=sized.z + float(centre[2]))
         )
-    return Loft(Frame(np.zeros(3), np.eye(3)), rings, (cap * rings[0].f, cap * rings[-1].f), 0.011)
+    return Loft(Frame(np.zeros(3), np.eye(3)), rings, (cap * rings[0].f, cap * rings[-1].f), 0.016)
 
 
 def _shoulder(trunk: Trunk, pose: BindPose, side: str) -> Shape:

@@ -21,7 +21,7 @@ from motion.figure.profile import FootRing, Ring
 Array = NDArray[np.float64]
 
 REACH = 0.1  # metres: beyond this a shape's value is its box's distance; above any blend's radius
-_SAMPLES = 400
+_SAMPLES = 1000
 _TINY = 1e-9
 
 
@@ -79,6 +79,12 @@ class _Box:
         return np.sqrt(square), near, self.frame.local(points[near])
 
 
+def _handed_over(box: Array, found: Array) -> Array:
+    """A shape's distances, turning into its box's where they leave its reach: no step is felt."""
+    share = np.clip(2.0 * box / REACH - 1.0, 0.0, 1.0)
+    return found + share * share * (3.0 - 2.0 * share) * (box - found)
+
+
 class Loft:
     """A stack of super-ellipse rings along y of a frame, with rounded caps.
 
@@ -97,7 +103,13 @@ class Loft:
         self.step = (self.end - self.start) / (_SAMPLES - 1)
         monotone = PchipInterpolator(at, values, axis=0)(even)
         # A monotone cubic's curvature jumps at each ring, which light would show as a band.
-        self.table = gaussian_filter1d(monotone, soften / self.step, axis=0, mode="nearest")
+        smooth = gaussian_filter1d(monotone, soften / self.step, axis=0, mode="nearest")
+        # The ends keep their own shape: a fingertip is no longer than the filter is wide.
+        to_end = np.minimum(even - self.start, self.end - even) / (6.0 * soften)
+        kept = np.clip(to_end - 0.3, 0.0, 1.0)[:, None]
+        table = smooth * kept + monotone * (1.0 - kept)
+        taper = np.gradient(table[:, :3], self.step, axis=0) / table[:, :3]
+        self.table = np.concatenate([table, taper], axis=1)
         self.round = bool(np.all(values[:, 5] == 2.0))
         self.caps = caps
         reach = np.abs(self.table[:, 3]) + self.table[:, 0]
@@ -110,7 +122,7 @@ class Loft:
         """Signed distances (N,) of points (N, 3), metres."""
         result, near, local = self.box.split(points)
         if len(near):
-            result[near] = self._near(local)
+            result[near] = _handed_over(result[near], self._near(local))
         return result
 
     def _near(self, local: Array) -> Array:
@@ -120,26 +132,48 @@ class Loft:
         index = np.minimum(position.astype(np.intp), _SAMPLES - 2)
         share = (position - index)[:, None]
         values = self.table[index] * (1.0 - share) + self.table[index + 1] * share
-        w, front, back, x, z, n = values.T
+        w, front, back, x, z, n, side_taper, front_taper, back_taper = values.T
         across = local[:, 0] - x
         ahead = local[:, 2] - z
         depth = np.where(ahead > 0, front, back)
         cap = np.where(beyond < 0, self.caps[0], self.caps[1])
-        return _superellipse(across, beyond, ahead, (w, cap, depth), None if self.round else n)
+        taper = side_taper, np.where(ahead > 0, front_taper, back_taper)
+        exponent = None if self.round else n
+        return _superellipse(across, beyond, ahead, (w, cap, depth), exponent, taper)
 
 
 def _superellipse(
-    x: Array, y: Array, z: Array, radii: tuple[Array, Array, Array], n: Array | None
+    x: Array,
+    y: Array,
+    z: Array,
+    radii: tuple[Array, Array, Array],
+    n: Array | None = None,
+    taper: tuple[Array, Array] | None = None,
 ) -> Array:
-    """First-order distances to |x/a|ⁿ + |y/b|ⁿ + |z/c|ⁿ = 1: (k − 1) / |∇k|, k the norm."""
+    """First-order distances to |x/a|ⁿ + |y/b|ⁿ + |z/c|ⁿ = 1: (k − 1) / |∇k|, k the norm.
+
+    Args:
+        x: (N,) and y, z: coordinates from the centre; y is how far a point lies beyond a loft's end.
+        y: see x.
+        z: see x.
+        radii: a, b, c, each (N,).
+        n: (N,) exponents, None for 2.
+        taper: growth of a and c along y as a share of themselves, per metre.
+    """
     parts = [np.abs(v) / r + _TINY for v, r in zip((x, y, z), radii, strict=True)]
     if n is None:
         norm = np.sqrt(sum(part * part for part in parts))
-        slopes = [part / norm / r for part, r in zip(parts, radii, strict=True)]
+        slopes = [part / norm for part in parts]
     else:
         norm = sum(part**n for part in parts) ** (1.0 / n)
-        slopes = [(part / norm) ** (n - 1.0) / r for part, r in zip(parts, radii, strict=True)]
-    return (norm - 1.0) / np.sqrt(sum(slope * slope for slope in slopes))
+        slopes = [(part / norm) ** (n - 1.0) for part in parts]
+    square = sum((slope / r) ** 2 for slope, r in zip(slopes, radii, strict=True))
+    if taper is not None:
+        along = slopes[0] * parts[0] * taper[0] + slopes[2] * parts[2] * taper[1]
+        # Far from the surface or beyond the end the slope there says nothing.
+        trust = np.maximum(1.0 - parts[1], 0.0) / (1.0 + 4.0 * (norm - 1.0) ** 2)
+        square = square + (along * trust) ** 2
+    return (norm - 1.0) / np.sqrt(square)
 
 
 class EllipsoidShape:
@@ -155,7 +189,7 @@ class EllipsoidShape:
         if len(near):
             x, y, z = local.T
             a, b, c = (np.full(len(near), r) for r in self.radii)
-            result[near] = _superellipse(x, y, z, (a, b, c), None)
+            result[near] = _handed_over(result[near], _superellipse(x, y, z, (a, b, c)))
         return result
 
 
@@ -178,7 +212,9 @@ class RoundCone:
             share = np.clip(along / np.sum(self.way**2), 0.0, 1.0)
             gap = from_start - share[:, None] * self.way
             radius = self.radii[0] + (self.radii[1] - self.radii[0]) * share
-            result[near] = np.sqrt(np.einsum("ij,ij->i", gap, gap)) - radius
+            result[near] = _handed_over(
+                result[near], np.sqrt(np.einsum("ij,ij->i", gap, gap)) - radius
+            )
         return result
 
 
@@ -199,7 +235,7 @@ class FootShape:
             sections.append(
                 Ring(ring.ahead, ring.w, below, ring.top - widest, 0.0, -widest, exponent)
             )
-        ends = 1.7 * edge, edge
+        ends = 0.9 * edge, 0.3 * edge
         self.loft = Loft(Frame(frame.origin, frame.axes @ turn), sections, ends, 0.4 * edge)
 
     def distance(self, points: Array) -> Array:

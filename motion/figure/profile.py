@@ -93,16 +93,17 @@ FOREARM = (
 
 HAND_LENGTH = 0.72  # of the forearm; the hand's rings and thumb are fractions of it
 HAND = (
-    Ring(-0.06, 0.084, 0.108, 0.108),
     Ring(0.08, 0.092, 0.142, 0.142),
     Ring(0.26, 0.093, 0.194, 0.194, z=0.01),
     Ring(0.44, 0.088, 0.208, 0.208, z=0.008),
     Ring(0.6, 0.08, 0.204, 0.204),
     Ring(0.74, 0.073, 0.19, 0.19, z=-0.006),
-    Ring(0.84, 0.066, 0.171, 0.171, z=-0.01),
-    Ring(0.91, 0.057, 0.144, 0.144, z=-0.012),
-    Ring(0.96, 0.046, 0.11, 0.11, z=-0.014),
-    Ring(0.99, 0.032, 0.07, 0.07, z=-0.015),
+    Ring(0.84, 0.07, 0.171, 0.171, z=-0.01),
+    Ring(0.91, 0.065, 0.144, 0.144, z=-0.012),
+    Ring(0.96, 0.058, 0.114, 0.114, z=-0.014),
+    Ring(0.99, 0.05, 0.087, 0.087, z=-0.015),
+    Ring(1.01, 0.041, 0.063, 0.063, z=-0.015),
+    Ring(1.02, 0.033, 0.045, 0.045, z=-0.015),
 )
 HAND_EXPONENT = 2.5  # fuller than an ellipse: the edge of the palm is soft
 HAND_CURL = (0.42, 0.2, 1.7)  # the centre moves a·max(0, t − b)^c toward the palm
@@ -125,7 +126,8 @@ FOOT = (
     FootRing(0.146, 0.0395, 0.038),
     FootRing(0.16, 0.0345, 0.034),
     FootRing(0.171, 0.027, 0.03),
-    FootRing(0.178, 0.018, 0.024),
+    FootRing(0.178, 0.0195, 0.0255),
+    FootRing(0.182, 0.0125, 0.022),
 )
 FOOT_EXPONENT = 2.2
 SOLE_EDGE = 0.012
@@ -166,13 +168,13 @@ HEAD = (
     Ellipsoid((0, -0.014, 0.046), (0.026, 0.022, 0.026), 0.05),
 )
 RIDGE = ((0, 0.078, 0.073), (0, 0.037, 0.0795))
-RIDGE_RADII = (0.0046, 0.0058)
+RIDGE_RADII = (0.0056, 0.0074)
 
 # Radius of each smooth union, metres.
 BLEND_NECK = 0.045
 BLEND_HEAD = 0.03
 BLEND_SHOULDER = 0.075
-BLEND_ARM = 0.032
+BLEND_ARM = 0.048
 BLEND_LEG = 0.064
 BLEND_LEGS = 0.045
 BLEND_FOOT = 0.034

@@ -96,8 +96,20 @@ def _add_torso(shares: _Shares, share: Array, points: Array) -> None:
     shares.add(share * (1 - np.maximum(spine, chest)) * (1 - neck), "hips")
     shares.add(share * np.maximum(spine - chest, 0) * (1 - neck), "spine", "hips")
     shares.add(share * chest * (1 - neck), "chest", "spine", "hips")
-    shares.add(share * neck * (1 - head), "neck", "head")
+    shares.table[:, _neck_joint(body)] += share * neck * (1 - head)
     shares.add(share * neck * head, "head")
+
+
+def _neck_joint(body: Body) -> int:
+    """The last joint below the head: where a neck has several, it carries most of the turn."""
+    roles, parents = body.pose.roles, body.pose.skeleton.parents
+    above = int(parents[roles["head"]])
+    if above < 0 or "neck" not in roles:
+        return roles.get("neck", roles["head"])
+    joint = above
+    while joint >= 0 and joint != roles["neck"]:
+        joint = int(parents[joint])
+    return above if joint >= 0 else roles["neck"]
 
 
 def _add_arm(shares: _Shares, share: Array, points: Array, side: str) -> None:

@@ -14,6 +14,9 @@ from motion.figure.surface_nets import sample, surface_nets
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
+# Metres by which the body is swollen while it meets the grid, so that thin tips reach into a cell;
+# the Newton steps bring the vertices back.
+_SWELL = 0.002
 _ROUNDS = 3  # of evening out, each followed by a Newton step
 _EVEN = 0.4  # share of the way to the neighbours' middle
 _LAST_STEPS = 2
@@ -24,7 +27,8 @@ _RING = 0.0165  # metres: vertices are numbered ring by ring of this height
 def grow_surface(body: Body) -> tuple[Array, Array, Indices]:
     """Vertices (V, 3), unit normals (V, 3) and triangles (F, 3) of a body's closed surface."""
     grid = make_grid(body)
-    values = sample(lambda q: body.whole.distance(grid.to_body(q)), grid.axes, grid.stretch)
+    swell = _SWELL * body.trunk.scale
+    values = sample(lambda q: body.whole.distance(grid.to_body(q)) - swell, grid.axes, grid.stretch)
     places, quads = surface_nets(values, grid.axes)
     positions = _settled(body.whole, grid.to_body(places), quads)
     normals = gradient(body.whole, positions)
