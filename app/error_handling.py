@@ -23,6 +23,7 @@ STATUSES: dict[type[errors.MannerError], int] = {
     errors.TooLargeError: 413,
     errors.TooManyError: 429,
 }
+CODES = {413: errors.TooLargeError.default_code}
 MENDS = {
     404: "Check the address, or start again from the first page.",
     405: "Use the links and buttons of the pages.",
@@ -33,7 +34,7 @@ MENDS = {
 
 def install(app: FastAPI) -> None:
     """Register the handlers; unforeseen exceptions come through ``answer_unforeseen``."""
-    app.add_exception_handler(errors.MannerError, _answer_manner_error)
+    app.add_exception_handler(errors.MannerError, answer_error)
     app.add_exception_handler(HTTPException, _answer_http_exception)
     app.add_exception_handler(RequestValidationError, _answer_validation_error)
 
@@ -52,8 +53,9 @@ def answer_unforeseen(request: Request, request_id: str) -> Response:
         return PlainTextResponse(f"{error.message} {error.mend} ({request_id})", 500)
 
 
-def _answer_manner_error(request: Request, error: Exception) -> Response:
-    if not isinstance(error, errors.MannerError):  # for the type checker: we registered only these
+def answer_error(request: Request, error: Exception) -> Response:
+    """The answer to an error of ours; who must sign in first is led there."""
+    if not isinstance(error, errors.MannerError):  # for the type checker: we register only these
         raise error
     status = next((s for kind, s in STATUSES.items() if isinstance(error, kind)), 400)
     if status == 401 and not _is_api(request):
@@ -69,7 +71,8 @@ def _answer_http_exception(request: Request, error: Exception) -> Response:
     phrase = HTTPStatus(status).phrase
     detail = str(error.detail)
     message = "There is nothing at this address." if detail == "Not Found" else detail
-    told = errors.MannerError(message, code=_snake(phrase), mend=MENDS.get(status))
+    code = CODES.get(status) or phrase.lower().replace(" ", "_").replace("-", "_")
+    told = errors.MannerError(message, code=code, mend=MENDS.get(status))
     return _answer(request, told, status, error.headers)
 
 
@@ -101,7 +104,7 @@ def _answer(
         "code": error.code,
         "message": error.message,
         "where": error.where,
-        "mend": error.mend,
+        "mend": error.mend or MENDS.get(status),
         **error.extra,
     }
     if _is_api(request):
@@ -112,7 +115,3 @@ def _answer(
 
 def _is_api(request: Request) -> bool:
     return request.url.path.startswith("/api/")
-
-
-def _snake(phrase: str) -> str:
-    return phrase.lower().replace(" ", "_").replace("-", "_").replace("'", "")

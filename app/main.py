@@ -59,6 +59,8 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
     app = FastAPI(
         title="Manner",
         version=version("manner"),
+        description="Perception studies of human motion: clips, imports, sessions and answers.",
+        generate_unique_id_function=lambda route: route.name,
         openapi_url="/api/v1/openapi.json",
         docs_url=None,  # their scripts come from elsewhere, which the content policy forbids
         redoc_url=None,
@@ -88,8 +90,8 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
 
 def _add_middleware(app: FastAPI, settings: Settings) -> None:
     # The last one added is the outermost.
-    app.add_middleware(CsrfMiddleware, settings.signing_key, settings.secure)
     app.add_middleware(BodyLimitMiddleware, settings.request_limit, settings.upload_limit)
+    app.add_middleware(CsrfMiddleware, settings.signing_key, settings.secure)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=6)
     app.add_middleware(LogMiddleware)
     app.add_middleware(HeadersMiddleware, settings.secure)

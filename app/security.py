@@ -12,10 +12,11 @@ from limits.storage import MemoryStorage
 from limits.strategies import MovingWindowRateLimiter
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
-from starlette.requests import HTTPConnection
+from starlette.requests import HTTPConnection, Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.errors import ForbiddenError, TooManyError
+from app.error_handling import answer_error
+from app.errors import ForbiddenError, TooLargeError, TooManyError
 from app.settings import Settings
 
 CONTENT_POLICY = "; ".join(
@@ -80,17 +81,22 @@ class BodyLimitMiddleware:
             return
         upload = scope["path"] == "/api/v1/imports"
         limit = self.upload_limit if upload else self.limit
+        message = f"More than the {limit:,} bytes that fit here."
         declared = Headers(scope=scope).get("content-length", "")
-        received = int(declared) if declared.isdigit() and int(declared) > limit else 0
+        if declared.isdigit() and int(declared) > limit:
+            answer = answer_error(Request(scope, receive), TooLargeError(message))
+            await answer(scope, receive, send)
+            return
+        received = 0
 
         async def receive_within_limit() -> Message:
             nonlocal received
-            message = await receive()
-            received += len(message.get("body", b""))
+            part = await receive()
+            received += len(part.get("body", b""))
             if received > limit:
                 # FastAPI lets this kind through where it would call any other a bad request.
-                raise HTTPException(413, f"More than the {limit:,} bytes that fit here.")
-            return message
+                raise HTTPException(413, message)
+            return part
 
         await self.app(scope, receive_within_limit, send)
 

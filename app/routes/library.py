@@ -11,7 +11,7 @@ from fastapi.responses import Response
 from app.dependencies import CsrfChecked, MaybeResearcher, Reading, Writing, signed_in_researcher
 from app.schemas.errors import ERRORS
 from app.schemas.library import ClipDetail, ClipList
-from app.services import library
+from app.services import downloads, library
 
 router = APIRouter(prefix="/api/v1/clips", tags=["library"], responses=ERRORS)
 researchers_only = [Depends(signed_in_researcher), CsrfChecked]
@@ -31,13 +31,13 @@ def list_clips(
 @router.get("/{clip_id}/download.bvh", response_class=Response)
 def download_bvh(clip_id: str, db: Reading, researcher: MaybeResearcher) -> Response:
     """The clip as a BVH file, in centimetres."""
-    return _file(library.as_bvh(db, clip_id, signed_in=researcher is not None), "text/plain")
+    return _file(downloads.as_bvh(db, clip_id, signed_in=researcher is not None), "text/plain")
 
 
 @router.get("/{clip_id}/download.glb", response_class=Response)
 def download_glb(clip_id: str, db: Reading, researcher: MaybeResearcher) -> Response:
     """The clip as a GLB file with its figure."""
-    file = library.as_glb(db, clip_id, signed_in=researcher is not None)
+    file = downloads.as_glb(db, clip_id, signed_in=researcher is not None)
     return _file(file, "model/gltf-binary")
 
 

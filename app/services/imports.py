@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sqlalchemy.orm import Session
 
@@ -19,11 +19,12 @@ from app.persistence.engine import Database
 from app.persistence.models import ClipRecord
 from app.schemas.library import Imported, ImportOptions, ImportReport
 from app.services import library
-from app.services.clip_files import ClipFiles, make_figure, make_files
 from app.services.engine_version import engine_version
 from motion import MotionError
 from motion.errors import BvhSyntaxError
-from motion.ingest import IngestOptions, ingest
+
+if TYPE_CHECKING:
+    from app.services.clip_files import ClipFiles
 
 
 @dataclass(frozen=True)
@@ -88,6 +89,10 @@ def revise(database: Database, clip_id: str, changes: dict[str, Any]) -> Importe
 
 
 def _read(database: Database, data: bytes, options: ImportOptions) -> _Read:
+    # Imported here: they bring SciPy, for which the server's start shall not wait.
+    from app.services.clip_files import make_figure, make_files
+    from motion.ingest import IngestOptions, ingest
+
     try:
         ingested = ingest(data, IngestOptions(**options.model_dump()))
         files = make_files(ingested.clip, ingested.report.stature)

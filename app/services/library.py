@@ -1,24 +1,21 @@
-"""The motion library: looking, keeping, deleting, taking files home."""
+"""The motion library: looking, keeping, deleting."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sqlalchemy.orm import Session
 
-from app.errors import ConflictError, InvalidError, NotFoundError
+from app.errors import ConflictError, NotFoundError
 from app.persistence import blobs, clips
 from app.persistence.models import ClipRecord
 from app.schemas.library import ClipDetail, ClipList, ClipView
-from app.services.clip_files import ClipFiles
 from app.services.engine_version import engine_version
 from app.services.studies import media_url
-from motion import Clip, MotionError
-from motion.bvh_write import write_bvh
-from motion.figure import build_figure
-from motion.glb import write_clip_glb
-from motion.storage import clip_from_bytes
+
+if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wait
+    from app.services.clip_files import ClipFiles
 
 
 def listed(db: Session, query: str, tags: Sequence[str], *, signed_in: bool) -> ClipList:
@@ -82,26 +79,6 @@ def delete(db: Session, clip_id: str) -> None:
     db.commit()
 
 
-def as_bvh(db: Session, clip_id: str, *, signed_in: bool) -> tuple[str, bytes]:
-    """File name and BVH text of a clip, in centimetres."""
-    clip = find(db, clip_id, signed_in=signed_in)
-    return f"{clip.name}.bvh", write_bvh(load(db, clip))
-
-
-def as_glb(db: Session, clip_id: str, *, signed_in: bool) -> tuple[str, bytes]:
-    """File name and GLB of a clip, with its figure if its skeleton can have one."""
-    clip = find(db, clip_id, signed_in=signed_in)
-    return f"{clip.name}.glb", _whole_glb(load(db, clip))
-
-
-def load(db: Session, clip: ClipRecord) -> Clip:
-    """The clip itself."""
-    content = blobs.content(db, clip.clip_blob)
-    if content is None:
-        raise InvalidError(f"The file of the clip {clip.name} is missing from the database.")
-    return clip_from_bytes(content)
-
-
 def store(
     db: Session,
     files: ClipFiles,
@@ -156,11 +133,3 @@ def _has_words(clip: ClipRecord, words: list[str]) -> bool:
 def _has_tag(clip: ClipRecord, tag: str) -> bool:
     name, colon, value = tag.partition(":")
     return clip.tags.get(name) == value if colon else tag in clip.tags.values()
-
-
-def _whole_glb(clip: Clip) -> bytes:
-    try:
-        figure = build_figure(clip)
-    except MotionError:  # a skeleton without a human's parts has no figure
-        figure = None
-    return write_clip_glb(clip, figure=figure)
