@@ -51,7 +51,7 @@ void main() {
   vec2 place = vPlace + offset;
   float fade = 1.0 - smoothstep(0.25 * FADE, FADE, length(vPlace));
   float cover = max(ruled(place.x), ruled(place.y));
-  gl_FragColor = vec4(colour, 0.8 * cover * fade * fade);
+  gl_FragColor = vec4(colour, 0.6 * cover * fade * fade);
 }`;
 
 /** Disc, hair rim, the sky that the body hides from the floor, and the soles' tight shade. */
@@ -88,7 +88,7 @@ float ambientShade() {
   for (int i = 0; i < SOLES; i += 1) {
     vec3 way = soles[i].xyz - vWorld;
     float sigma = 0.11 + max(way.y, 0.0);
-    open *= 1.0 - 0.35 * soles[i].w * exp(-0.5 * dot(way.xz, way.xz) / (sigma * sigma));
+    open *= 1.0 - 0.2 * soles[i].w * exp(-0.5 * dot(way.xz, way.xz) / (sigma * sigma));
   }
 #else
   for (int i = 0; i < SPHERES; i += 1)
@@ -99,7 +99,6 @@ float ambientShade() {
 // The key light's shadow of the same spheres: its edge softens with the height of what casts it.
 float castShade() {
   float open = 1.0;
-#ifndef PLAIN
   for (int i = 0; i < SPHERES; i += 1) {
     vec3 way = spheres[i].xyz - vWorld;
     float along = max(dot(way, key), 0.0);
@@ -107,7 +106,6 @@ float castShade() {
     float soft = 0.015 + 0.07 * along;
     open *= smoothstep(spheres[i].w - soft, spheres[i].w + soft, away);
   }
-#endif
   return 1.0 - open;
 }
 void main() {
@@ -115,10 +113,16 @@ void main() {
   float pixel = max(fwidth(away), 1e-6);
   float inside = clamp(0.5 + (radius - away) / pixel, 0.0, 1.0);
   float edge = line(away - radius, RIM_PIXELS);
-  float fade = 1.0 - smoothstep(0.3 * radius, 1.5 * radius, away);
-  float castFade = 1.0 - smoothstep(0.5, 0.5 * PLANE, away);
-  float dark = 1.0 - (1.0 - ambient * ambientShade() * fade) * (1.0 - contact * contactShade())
-    * (1.0 - castAmount * castShade() * castFade);
+  float fade = 1.0 - smoothstep(0.3 * radius, FADE * radius, away);
+  float light = 1.0;
+  if (fade > 0.0) light *= (1.0 - ambient * ambientShade() * fade) * (1.0 - contact * contactShade());
+#ifndef PLAIN
+  // Nothing is cast toward the light, so most of the floor need not be searched for it.
+  float castFade = 1.0 - smoothstep(0.35, 0.4 * PLANE, away);
+  if (castFade > 0.0 && dot(vPlace, normalize(key.xz)) < 0.6 * radius)
+    light *= 1.0 - castAmount * castShade() * castFade;
+#endif
+  float dark = 1.0 - light;
   vec3 colour = mix(disc, rim, edge);
   float cover = max(inside * DISC_COVER, edge);
   // The shade lies over the disc: composed here by the "over" rule.
@@ -184,6 +188,7 @@ export class Disc {
   private readonly material: ShaderMaterial;
 
   constructor(radius: number, spheres: Vector4[], soles: Vector4[], tier: Tier) {
+    const plain = tier === "plain" || spheres.length === 0;
     const uniform = <T>(value: T) => ({ value });
     this.material = new ShaderMaterial({
       vertexShader: VERTEX,
@@ -206,13 +211,14 @@ export class Disc {
         SIGMA: ground.shade.contactSigma.toFixed(4),
         RIM_PIXELS: "1.3",
         DISC_COVER: "0.9",
+        FADE: plain ? "1.0" : "1.5",
         PLANE: DISC_PLANE.toFixed(2),
-        ...(tier === "plain" || spheres.length === 0 ? { PLAIN: 1 } : {}),
+        ...(plain ? { PLAIN: 1 } : {}),
       },
       transparent: true,
       depthWrite: false,
     });
-    this.mesh = layer(new Mesh(plane(DISC_PLANE), this.material), 2);
+    this.mesh = layer(new Mesh(plane(plain ? 2.1 * radius : DISC_PLANE), this.material), 2);
   }
 
   setMode(mode: Mode): void {

@@ -72,6 +72,7 @@ export class Stage {
   /** The standard view of this stage where it is not the usual one, in degrees. */
   setAzimuth(azimuth: number | null): void {
     this.azimuth = azimuth;
+    this.light();
     this.orbit.setSubject(this.subject(), this.homeAzimuth);
     this.orbit.jump(this.homeAzimuth);
   }
@@ -118,10 +119,7 @@ export class Stage {
   }
 
   private get homeAzimuth(): number {
-    return this.azimuth ?? this.lightAzimuth;
-  }
-
-  private get lightAzimuth(): number {
+    if (this.azimuth !== null) return this.azimuth;
     return this.solid > 1 ? looks.camera.pairAzimuth : looks.camera.azimuth;
   }
 
@@ -141,10 +139,15 @@ export class Stage {
     for (const figure of this.figures) this.scene.add(figure.group);
     this.leader = this.figures.filter((figure) => figure.disc).at(-1);
     this.showBareDisc(this.leader === undefined);
-    this.lights.place(this.lightAzimuth, 1.05 + (places.at(-1) ?? 0));
-    for (const figure of this.figures) figure.disc?.setKey(this.lights.keyDirection);
+    this.light();
     this.setMode(this.mode);
     this.setTime(0);
+  }
+
+  /** The lights belong to the standard view; turning the camera does not move them. */
+  private light(): void {
+    this.lights.place(this.homeAzimuth, 1.05 + (this.places.at(-1) ?? 0));
+    for (const figure of this.figures) figure.disc?.setKey(this.lights.keyDirection);
   }
 
   /** An empty stage still shows where somebody will stand. */

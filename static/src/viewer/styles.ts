@@ -69,7 +69,7 @@ input[type="range"]::-moz-range-thumb { width: 16px; height: 16px; border-radius
 @container (max-width: 760px) {
   .controls.full { flex-wrap: wrap; }
   .controls.full input[type="range"] { order: -1; flex-basis: 100%; height: 32px; }
-  .controls.full .hint { display: none; }
+  .controls.full .hint, .controls.full .away { display: none; }
   .views { top: 8px; left: 12px; }
   .time .frame { display: none; }
 }
