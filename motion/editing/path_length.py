@@ -1,0 +1,118 @@
+"""Longer and shorter motion paths by multiresolution filtering (Förger, ch. 3.4.1).
+
+The signal of every channel is split into bands by a 5-tap low-pass whose taps move apart by a
+factor of two from level to level (Bruderlin and Williams 1995); the bands are scaled and summed
+again. The filter is symmetric, so nothing shifts in phase, and versions can be interpolated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motion.clip import Clip
+from motion.rotations import from_directions, to_directions
+
+Array = NDArray[np.float64]
+
+_CENTRE, _NEAR, _FAR = 3 / 8, 1 / 4, 1 / 16  # the kernel c b a b c
+
+
+@dataclass(frozen=True)
+class PathLength:
+    """How much each frequency is scaled.
+
+    Attributes:
+        gain: of the middle band; above 1 lengthens paths, below 1 shortens them, 1 changes nothing.
+        low_edge: Hz; up to here the gain is 1, so that average poses and travel stay.
+        full_from: Hz; from here on the gain is in force. Between the two it is interpolated over
+            log frequency: a walk's stride lies at the thesis's hard edge of 1 Hz, where small
+            differences in cadence would decide whether the arms follow.
+        high_edge: Hz; from here on the gain falls towards ``high_gain``.
+        high_full: Hz; from here on ``high_gain`` is in force.
+        high_gain: of noise and jitter; an edit that changes nothing keeps them.
+    """
+
+    gain: float = 1.0
+    low_edge: float = 0.35
+    full_from: float = 0.6
+    high_edge: float = 10.0
+    high_full: float = 16.0
+    high_gain: float = 0.25
+
+    def __call__(self, frequency: Array) -> Array:
+        """Gain (...) at frequencies (...) in Hz."""
+        if self.gain == 1.0:
+            return np.ones_like(frequency)
+        octave = np.log(np.maximum(frequency, 1e-12))
+        edges = np.log([self.low_edge, self.full_from, self.high_edge, self.high_full])
+        return np.interp(octave, edges, [1.0, self.gain, self.gain, self.high_gain])
+
+
+def change_path_length(clip: Clip, gains: Callable[[Array], Array]) -> Clip:
+    """The clip with every joint's directions filtered; the root's path is left to foot repair.
+
+    Args:
+        clip: any clip; a cyclic one is wrapped around, so that its seam stays seamless.
+        gains: gain of each frequency in Hz, such as ``PathLength``.
+    """
+    signal = to_directions(clip.rotations)
+    flat = signal.reshape(clip.frames, -1)
+    if clip.cyclic:
+        filtered = scale_bands(flat[:-1], gains, 1.0 / clip.frame_time, cyclic=True)
+        filtered = np.concatenate([filtered, filtered[:1]])
+    else:
+        filtered = scale_bands(flat, gains, 1.0 / clip.frame_time)
+    return replace(clip, rotations=from_directions(filtered.reshape(signal.shape)))
+
+
+def scale_bands(
+    signal: Array, gains: Callable[[Array], Array], rate: float, *, cyclic: bool = False
+) -> Array:
+    """A signal (T, C) with its frequency bands scaled: G(n) + Σ gain_k·L(k).
+
+    Args:
+        signal: T samples of C channels.
+        gains: gain of each band's centre frequency in Hz.
+        rate: samples a second.
+        cyclic: the signal repeats after T samples; otherwise it is lengthened to twice its length
+            by its first and last values.
+    """
+    frames = len(signal)
+    if frames < 2:
+        return signal.copy()
+    before = 0 if cyclic else frames // 2
+    after = 0 if cyclic else frames - before
+    low = signal if cyclic else np.pad(signal, ((before, after), (0, 0)), mode="edge")
+    change = np.zeros_like(low)
+    for gain, spacing in zip(gains(band_centres(frames, rate)), _spacings(frames), strict=True):
+        lower = _low_pass(low, spacing, cyclic=cyclic)
+        if gain != 1.0:
+            change += (gain - 1.0) * (low - lower)
+        low = lower
+    # Adding what changes, instead of summing all bands again, keeps an unchanged signal to the bit.
+    return signal + change[before : before + frames]
+
+
+def band_centres(frames: int, rate: float) -> Array:
+    """Centre frequencies (n,) in Hz of the bands of a signal of that many samples: rate/2^(k+2)."""
+    return np.array([rate / (4.0 * spacing) for spacing in _spacings(frames)])
+
+
+def _spacings(frames: int) -> list[int]:
+    """Distance of the kernel's taps on each of the n levels, where 2^n ≤ frames ≤ 2^(n+1)."""
+    return [2**level for level in range(int(np.log2(frames)))]
+
+
+def _low_pass(signal: Array, spacing: int, *, cyclic: bool) -> Array:
+    reach = 2 * spacing
+    padded = np.pad(signal, ((reach, reach), (0, 0)), mode="wrap" if cyclic else "edge")
+    frames = len(signal)
+
+    def tap(shift: int) -> Array:
+        return padded[reach + shift * spacing : reach + shift * spacing + frames]
+
+    return _CENTRE * signal + _NEAR * (tap(-1) + tap(1)) + _FAR * (tap(-2) + tap(2))

@@ -1,0 +1,139 @@
+"""When a limb is fast and when it is slow: even speed and added acceleration (Förger, ch. 3.4.3).
+
+Every limb's flow of time is stretched and squeezed; all its joints share the warp, so the way of
+its end relative to the limb's root stays what it was and only the speed along it changes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+from scipy.ndimage import gaussian_filter1d
+from scipy.signal import argrelmin
+
+from motion.clip import Clip
+from motion.editing.limbs import LIMBS, Limb, end_relative_to_hips, find_limbs, is_locomoting
+from motion.kinematics import WorldPose, forward_kinematics
+from motion.rotations import from_directions, to_directions
+
+Array = NDArray[np.float64]
+
+EVEN, ADDED = "even", "added"
+SEGMENT = {EVEN: 1.5, ADDED: 1.0}  # s: a stretch that keeps its length, so that limbs stay together
+_CUTOFF = 12.5  # Hz: speeds above are the recording's noise
+_PAUSE = 0.12  # of a segment's high speed: slower than this is a pause
+_SET = 0.15  # s: at most one added pause in this time
+_LONGER = 10.0  # times: how much longer an added pause lasts
+_CLEARLY = 0.25  # of the segment's high speed: what a pause's surroundings must reach
+_FASTEST = 0.05  # of the mean duration: no frame gets less, or its motion would be skipped
+
+
+@dataclass(frozen=True)
+class Timing:
+    """What happens to the speed of the limbs.
+
+    Attributes:
+        kind: ``even`` or ``added`` acceleration.
+        limbs: which limbs; None for all, but not the legs of a clip that goes somewhere (the
+            thesis found that walks break).
+    """
+
+    kind: str
+    limbs: tuple[str, ...] | None = None
+
+
+def change_timing(clip: Clip, timing: Timing) -> Clip:
+    """The clip with each limb's frames in new time; length, first and last frame stay."""
+    if clip.frames < 4:
+        return clip
+    pose = forward_kinematics(clip)
+    rotations = clip.rotations.copy()
+    for limb in _chosen(clip, timing):
+        warp = limb_warp(clip, pose, limb, timing.kind)
+        joints = list(limb.joints)
+        rotations[:, joints] = resample(clip.rotations[:, joints], warp)
+    return replace(clip, rotations=rotations)
+
+
+def limb_warp(clip: Clip, pose: WorldPose, limb: Limb, kind: str) -> Array:
+    """Which frame (T,), fractional, of the clip a limb shows in each frame."""
+    speed = limb_speed(clip, pose, limb)
+    durations = np.empty_like(speed)
+    for segment in _segments(len(speed), clip.frame_time, SEGMENT[kind]):
+        part = speed[segment]
+        new = _even(part) if kind == EVEN else _added(part, clip.frame_time)
+        durations[segment] = new * (len(part) / new.sum())
+    shown_at = np.concatenate([[0.0], np.cumsum(durations)])
+    shown_at[-1] = len(speed)
+    return np.interp(np.arange(clip.frames), shown_at, np.arange(clip.frames))
+
+
+def limb_speed(clip: Clip, pose: WorldPose, limb: Limb) -> Array:
+    """Speed (T − 1,) of a limb's end relative to the hips, m/s, low-passed at 12.5 Hz."""
+    way = np.diff(end_relative_to_hips(clip, pose, limb), axis=0)
+    # A Gaussian whose amplitude falls to 1/√2 at the cut-off; it never overshoots below zero.
+    deviation = np.sqrt(np.log(2.0)) / (2.0 * np.pi * _CUTOFF) / clip.frame_time
+    return gaussian_filter1d(
+        np.linalg.norm(way, axis=1) / clip.frame_time, deviation, mode="nearest"
+    )
+
+
+def resample(rotations: Array, frames: Array) -> Array:
+    """Local rotations (T', J, 4) at fractional frames (T',) of (T, J, 4), on a smooth path."""
+    directions = to_directions(rotations)
+    path = CubicSpline(np.arange(len(rotations)), directions, axis=0)
+    return from_directions(path(frames))
+
+
+def _chosen(clip: Clip, timing: Timing) -> Iterable[Limb]:
+    limbs = find_limbs(clip.skeleton)
+    names = timing.limbs
+    if names is None:
+        without_legs = is_locomoting(clip)
+        names = tuple(n for n in LIMBS if not (without_legs and n.endswith("_leg")))
+    return [limbs[name] for name in names if name in limbs]
+
+
+def _segments(count: int, frame_time: float, longest: float) -> Iterator[slice]:
+    pieces = max(1, int(np.ceil(count * frame_time / longest - 1e-9)))
+    edges = np.round(np.linspace(0, count, pieces + 1)).astype(int)
+    return (slice(a, b) for a, b in pairwise(edges))
+
+
+def _even(speed: Array) -> Array:
+    """Durations proportional to speed; pauses keep what they had, in the mean of the rest."""
+    pause = _PAUSE * np.quantile(speed, 0.95)
+    if pause <= 0.0:
+        return np.ones_like(speed)
+    moving = speed > pause
+    held = speed[moving].mean() if moving.any() else 1.0
+    share = np.clip((speed - pause) / pause, 0.0, 1.0)  # 0 in a pause, 1 from twice its limit on
+    durations = share * speed + (1.0 - share) * held
+    return np.maximum(durations, _FASTEST * durations.mean())
+
+
+def _added(speed: Array, frame_time: float) -> Array:
+    """Durations ten times as long around each slow moment between fast ones."""
+    durations = np.ones_like(speed)
+    high = np.quantile(speed, 0.95)
+    half = max(1, round(_SET / frame_time / 2.0))
+    for moment in _pauses(speed, half):
+        around = slice(max(0, moment - half), moment + half + 1)
+        if speed[around].max() > _CLEARLY * high > 0.0:
+            durations[around] = _LONGER
+    return durations
+
+
+def _pauses(speed: Array, half: int) -> Iterator[int]:
+    """Local minima, at most one in a set, the slowest first."""
+    taken = np.zeros(len(speed), dtype=bool)
+    minima = argrelmin(speed, order=half)[0]
+    for moment in minima[np.argsort(speed[minima], kind="stable")]:
+        if not taken[max(0, moment - half) : moment + half + 1].any():
+            taken[max(0, moment - half) : moment + half + 1] = True
+            yield int(moment)
