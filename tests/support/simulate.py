@@ -17,7 +17,7 @@ from sqlalchemy.orm import Session
 
 from app.persistence.models import Blob, ClipRecord, FigureRecord
 from app.schemas.sessions import Answer, ViewingRecord, Viewport
-from app.schemas.study import StudyDefinition
+from app.schemas.study import Stimulus, StudyDefinition
 from app.services import answers, sessions, studies
 from app.studies import emotion
 
@@ -72,9 +72,13 @@ def take_part(
     """One simulated participant, who may stop after some answers; gives the personal token."""
     token = write(partial(sessions.begin, slug=slug, consent_version="1"))
     definition, trials = write(partial(_plan, token=token))
+    # Drawn clip by clip in the study's order, so that the sessions' own order changes no answer.
     bias = generator.normal(0, 0.25, len(definition.scales))
+    drawn = {
+        shown.clip: _answer(definition, shown, bias, generator) for shown in definition.stimuli
+    }
     for index, clip in enumerate(trials[:answered]):
-        answer = _answer(definition, index, clip, bias, generator)
+        answer = drawn[clip].model_copy(update={"trial_index": index})
         write(partial(answers.record, token=token, answer=answer))
     if complete and answered is None:
         write(partial(sessions.complete, token=token))
@@ -116,13 +120,8 @@ def _plan(db: Session, token: str) -> tuple[StudyDefinition, list[str]]:
 
 
 def _answer(
-    definition: StudyDefinition,
-    index: int,
-    clip: str,
-    bias: np.ndarray,
-    generator: np.random.Generator,
+    definition: StudyDefinition, shown: Stimulus, bias: np.ndarray, generator: np.random.Generator
 ) -> Answer:
-    shown = next(stimulus for stimulus in definition.stimuli if stimulus.clip == clip)
     latent = np.array(EFFECTS.get(shown.style, np.zeros(6))) + bias
     latent[-1] += BODY_EFFECTS.get(shown.body, 0.0)
     noisy = latent + generator.normal(0, 0.8, latent.size)
@@ -130,9 +129,7 @@ def _answer(
     values = {scale.id: int(step) for scale, step in zip(definition.scales, steps, strict=True)}
     touched = [scale for scale, value in values.items() if value or generator.random() < 0.5]
     viewing = float(generator.uniform(3000, 9000))
-    return answer_with(
-        values, index, touched=touched, rt_ms=viewing + 900, time_elapsed_ms=12_000.0 * (index + 1)
-    )
+    return answer_with(values, touched=touched, rt_ms=viewing + 900)
 
 
 def _add_clip(db: Session, name: str, **tags: str) -> None:

@@ -40,6 +40,32 @@ def test_the_paired_test_gives_the_values_published_for_students_sleep_data():
     assert found.p == pytest.approx(0.002833, abs=5e-7)
 
 
+samples = st.lists(st.integers(-2, 2), min_size=2, max_size=30).filter(lambda x: len(set(x)) > 1)
+
+
+@given(samples, samples)
+def test_welch_is_scipys(a, b):
+    found, expected = welch(a, b), stats.ttest_ind(a, b, equal_var=False)
+    assert (found.t, found.df) == pytest.approx((expected.statistic, expected.df), abs=1e-12)
+    assert found.p == pytest.approx(expected.pvalue)
+
+
+@given(st.lists(st.tuples(st.floats(-2, 2), st.floats(-2, 2)), min_size=3, max_size=30))
+def test_the_paired_test_is_scipys(pairs):
+    a, b = np.array(pairs).T
+    if np.ptp(a - b) < 1e-3:
+        return  # SciPy warns of differences that are nearly equal
+    found, expected = paired(a, b), stats.ttest_rel(a, b)
+    assert (found.t, found.df) == pytest.approx((expected.statistic, expected.df), abs=1e-9)
+    assert found.p == pytest.approx(expected.pvalue)
+
+
+def test_one_group_without_spread_still_gives_a_test():
+    found = welch([2, 2, 2], [0, 1, 2, 1])
+    assert found.df == pytest.approx(3)
+    assert found.t == pytest.approx(1 / np.sqrt(2 / 3 / 4))
+
+
 def test_pairs_with_a_missing_half_are_left_out():
     nan = float("nan")
     assert paired([nan, *DRUG_1, 3.0], [1.0, *DRUG_2, nan]) == paired(DRUG_1, DRUG_2)
