@@ -8,6 +8,7 @@ import os
 import shutil
 import uuid
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -80,14 +81,8 @@ def migrated_database(
 @pytest.fixture
 def database_url(migrated_database: str, tmp_path: Path) -> Iterator[str]:
     """URL of a fresh migrated database, on SQLite and on PostgreSQL in turn."""
-    pattern = make_url(migrated_database)
-    if pattern.get_backend_name() == "sqlite":
-        shutil.copyfile(str(pattern.database), tmp_path / "test.sqlite3")
-        url = f"sqlite:///{tmp_path / 'test.sqlite3'}"
-    else:
-        url = _new_postgresql(migrated_database, template=str(pattern.database))
-    yield url
-    _drop(url)
+    with _copied(migrated_database, tmp_path) as url:
+        yield url
 
 
 @pytest.fixture
@@ -98,10 +93,14 @@ def engine(database_url: str) -> Iterator[Engine]:
 
 
 @pytest.fixture(scope="session")
-def shared_engine(migrated_database: str) -> Iterator[Engine]:
-    engine = make_engine(migrated_database)
-    yield engine
-    engine.dispose()
+def shared_engine(
+    migrated_database: str, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Engine]:
+    # A copy: PostgreSQL copies no pattern that somebody is connected to.
+    with _copied(migrated_database, tmp_path_factory.mktemp("shared")) as url:
+        engine = make_engine(url)
+        yield engine
+        engine.dispose()
 
 
 @pytest.fixture
@@ -145,6 +144,18 @@ def client(settings: Settings, built: Path) -> Iterator[TestClient]:
     """A browser without scripts at a server of its own, with an empty database."""
     with TestClient(create_app(settings, built), follow_redirects=False) as client:
         yield client
+
+
+@contextmanager
+def _copied(pattern: str, folder: Path) -> Iterator[str]:
+    """URL of a copy of the pattern, which is gone afterwards."""
+    if make_url(pattern).get_backend_name() == "sqlite":
+        shutil.copyfile(str(make_url(pattern).database), folder / "test.sqlite3")
+        url = f"sqlite:///{folder / 'test.sqlite3'}"
+    else:
+        url = _new_postgresql(pattern, template=str(make_url(pattern).database))
+    yield url
+    _drop(url)
 
 
 def _new_postgresql(server: str, *, template: str) -> str:
