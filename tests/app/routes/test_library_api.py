@@ -1,0 +1,123 @@
+"""The library over the API: who sees what, searching, taking files home."""
+
+from __future__ import annotations
+
+import pytest
+from starlette.testclient import TestClient
+
+from app.persistence.engine import Database
+from app.services import samples
+from motion.bvh import read_bvh
+from tests.app.conftest import Researching
+from tests.support.motions import walk, walk_bvh, walks
+
+
+def listed(client: TestClient, **query: object) -> list[str]:
+    response = client.get("/api/v1/clips", params=query)
+    assert response.status_code == 200
+    return [clip["name"] for clip in response.json()["clips"]]
+
+
+def test_an_empty_library_is_an_empty_list(client: TestClient) -> None:
+    assert listed(client) == []
+
+
+def test_everybody_sees_the_samples(client: TestClient, samples_made: int) -> None:
+    assert listed(client) == sorted(sample.name for sample in walks())
+    assert samples_made == len(walks())
+
+
+def test_a_clip_says_what_the_viewer_needs(client: TestClient, samples_made: int) -> None:
+    clip = client.get("/api/v1/clips").json()["clips"][0]
+    known = {sample.name: sample.clip for sample in walks()}[clip["name"]]
+    assert clip["id"] == known.content_hash
+    assert clip["frames"] == known.frames
+    assert clip["duration"] == pytest.approx(known.duration)
+    assert clip["cyclic"] is True
+    assert 0 <= clip["poster_time"] <= clip["duration"]
+    assert 1.4 < clip["stature"] < 2.0
+    assert client.get(clip["glb_url"]).content.startswith(b"glTF")
+    assert client.get(clip["figure_url"]).content.startswith(b"glTF")
+    assert clip["page_url"] == f"/library/{clip['id']}"
+
+
+def test_words_and_tags_narrow_the_list(client: TestClient, samples_made: int) -> None:
+    name = walks()[1].name
+    style = walks()[1].tags["style"]
+    assert listed(client, query=style.upper()) == [name]
+    assert listed(client, tag=f"style:{style}") == [name]
+    assert listed(client, tag=[style, "set:A"]) == [name]
+    assert listed(client, tag=[style, "set:B"]) == []
+    assert listed(client, query=f"{style} nothing") == []
+
+
+def test_the_list_takes_as_many_queries_for_many_clips_as_for_few(
+    client: TestClient, database: Database
+) -> None:
+    from sqlalchemy import event
+
+    counts: list[int] = []
+    for few in (walks()[:1], walks()):
+        samples.make(database, lambda few=few: few)
+        statements: list[str] = []
+        hear = lambda *args, to=statements: to.append(args[2])  # noqa: E731
+        event.listen(database.engine, "before_cursor_execute", hear)
+        listed(client)
+        event.remove(database.engine, "before_cursor_execute", hear)
+        counts.append(sum("SELECT" in statement for statement in statements))
+    assert counts[0] == counts[1] > 0
+
+
+def test_imported_clips_are_hidden_from_strangers(signed_in: Researching) -> None:
+    clip = signed_in.upload("walk.bvh", walk_bvh()).json()["clip"]
+    stranger = signed_in.client
+    assert listed(stranger) == ["walk"]
+    stranger.cookies.clear()
+    assert listed(stranger) == []
+    for path in ("", "/download.bvh", "/download.glb"):
+        response = stranger.get(f"/api/v1/clips/{clip['id']}{path}")
+        assert response.status_code == 404
+        assert response.json()["error"]["code"] == "clip_not_found"
+    assert stranger.get(f"/library/{clip['id']}").status_code == 404
+
+
+def test_a_clip_is_taken_home_as_bvh(client: TestClient, samples_made: int) -> None:
+    sample = walks()[0]
+    response = client.get(f"/api/v1/clips/{sample.clip.content_hash}/download.bvh")
+    assert sample.name in response.headers["content-disposition"]
+    assert read_bvh(response.content).values.shape[0] == sample.clip.frames
+
+
+def test_a_clip_is_taken_home_as_glb_with_its_figure(client: TestClient, samples_made: int) -> None:
+    response = client.get(f"/api/v1/clips/{walk().content_hash}/download.glb")
+    bare = client.get("/api/v1/clips").json()["clips"]
+    url = next(clip["glb_url"] for clip in bare if clip["id"] == walk().content_hash)
+    assert response.headers["content-type"] == "model/gltf-binary"
+    assert b'"skins"' in response.content
+    assert b'"animations"' in response.content
+    assert b'"skins"' not in client.get(url).content
+
+
+def test_samples_cannot_be_deleted(signed_in: Researching, samples_made: int) -> None:
+    response = signed_in.delete(f"/api/v1/clips/{walk().content_hash}")
+    assert response.status_code == 409
+    assert response.json()["error"]["code"] == "sample_clip"
+
+
+@pytest.mark.parametrize(
+    ("method", "path"),
+    [
+        ("post", "/api/v1/clips/0/confirm"),
+        ("delete", "/api/v1/clips/0"),
+        ("patch", "/api/v1/clips/0"),
+        ("post", "/api/v1/imports"),
+    ],
+)
+def test_writing_needs_a_signed_in_researcher(client: TestClient, method: str, path: str) -> None:
+    more = {
+        "patch": {"json": {}},
+        "post": {"files": {"file": ("a.bvh", b"")}} if path.endswith("imports") else {},
+    }
+    response = getattr(client, method)(path, **more.get(method, {}))
+    assert response.status_code == 401
+    assert response.json()["error"]["code"] == "sign_in_needed"
