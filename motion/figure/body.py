@@ -80,8 +80,10 @@ class Trunk:
         return inside + beyond / self.scale
 
     def widen(self, height: float) -> float:
-        """Metres to add to a half-width at one of the profile's heights."""
-        return float(np.interp(height, self.drawn[:2], self.extra))
+        """Metres to add to a half-width at one of the profile's heights, less toward the neck."""
+        hips, shoulders = self.extra
+        stops = [self.drawn[0], 0.3, 0.36, 0.41]
+        return float(np.interp(height, stops, [hips, shoulders, 0.7 * shoulders, 0.2 * shoulders]))
 
     def point(self, side: str, place: Sequence[float]) -> Array:
         """(3,) where a mirrored detail (outward, height, forward) of the profile lies."""
@@ -157,7 +159,7 @@ def _trunk(pose: BindPose) -> Trunk:
     )
     half = (np.array(left) - np.array(right))[:, 0] / 2.0
     usual = np.array([profile.HIP_HALF_WIDTH, profile.SHOULDER_HALF_WIDTH]) * pose.scale
-    extra = np.clip((half - usual) * np.array([0.9, 0.7]), -0.03, 0.05)
+    extra = np.clip((half - usual) * np.array([0.9, 0.7]), -0.03, 0.055)
     drawn = np.array([profile.HIP_HEIGHT, profile.SHOULDER_HEIGHT, profile.HEAD_HEIGHT])
     return Trunk(drawn, found, extra, pose.scale)
 
@@ -292,8 +294,10 @@ def _shoulder(trunk: Trunk, pose: BindPose, side: str) -> Shape:
     start = trunk.point(side, profile.SHOULDER_FROM)
     joint = pose.place(f"{side}_upper_arm")
     end = joint - np.array([SIGN[side] * 0.02, 0.004, 0.0]) * trunk.scale
-    first, second = profile.SHOULDER_RADII
-    return RoundCone(start, end, (first * trunk.scale, second * trunk.scale))
+    # Wide shoulders need a stronger slope from the neck, or they stand out like pads.
+    more = 0.2 * max(float(trunk.extra[1]), 0.0)
+    first, second = (radius * trunk.scale + more for radius in profile.SHOULDER_RADII)
+    return RoundCone(start, end, (first, second))
 
 
 def _head(pose: BindPose) -> Shape:

@@ -105,7 +105,7 @@ class Loft:
         # A monotone cubic's curvature jumps at each ring, which light would show as a band.
         smooth = gaussian_filter1d(monotone, soften / self.step, axis=0, mode="nearest")
         # The ends keep their own shape: a fingertip is no longer than the filter is wide.
-        to_end = np.minimum(even - self.start, self.end - even) / (6.0 * soften)
+        to_end = np.minimum(even - self.start, self.end - even) / (3.0 * soften)
         kept = np.clip(to_end - 0.3, 0.0, 1.0)[:, None]
         table = smooth * kept + monotone * (1.0 - kept)
         taper = np.gradient(table[:, :3], self.step, axis=0) / table[:, :3]
@@ -153,9 +153,9 @@ def _superellipse(
     """First-order distances to |x/a|ⁿ + |y/b|ⁿ + |z/c|ⁿ = 1: (k − 1) / |∇k|, k the norm.
 
     Args:
-        x: (N,) and y, z: coordinates from the centre; y is how far a point lies beyond a loft's end.
-        y: see x.
-        z: see x.
+        x: (N,) across, from the centre.
+        y: how far beyond the loft's end.
+        z: ahead, from the centre.
         radii: a, b, c, each (N,).
         n: (N,) exponents, None for 2.
         taper: growth of a and c along y as a share of themselves, per metre.
@@ -235,7 +235,7 @@ class FootShape:
             sections.append(
                 Ring(ring.ahead, ring.w, below, ring.top - widest, 0.0, -widest, exponent)
             )
-        ends = 0.9 * edge, 0.3 * edge
+        ends = 0.9 * edge, 0.7 * edge
         self.loft = Loft(Frame(frame.origin, frame.axes @ turn), sections, ends, 0.4 * edge)
 
     def distance(self, points: Array) -> Array:

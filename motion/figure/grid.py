@@ -17,7 +17,7 @@ from motion.figure.body import Body
 
 Array = NDArray[np.float64]
 
-_STEP = np.array([0.0178, 0.0186, 0.0178])  # metres along x, y, z at the profile's stature
+_STEP = np.array([0.0186, 0.0193, 0.0186])  # metres along x, y, z at the profile's stature
 _MARGIN = 0.03  # metres of air around the body
 _HAND = (0.086, 0.44, 0.35)  # a lens: radius seen large, size of a step in it, radius of effect
 _FOOT = (0.118, 0.66, 0.27)

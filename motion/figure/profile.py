@@ -126,15 +126,13 @@ FOOT = (
     FootRing(0.146, 0.0395, 0.038),
     FootRing(0.16, 0.0345, 0.034),
     FootRing(0.171, 0.027, 0.03),
-    FootRing(0.178, 0.0195, 0.0255),
-    FootRing(0.182, 0.0125, 0.022),
+    FootRing(0.178, 0.021, 0.027),
 )
 FOOT_EXPONENT = 2.2
 SOLE_EDGE = 0.012
 
 TORSO = (
-    Ring(-0.112, 0.03, 0.03, 0.038, z=-0.01),
-    Ring(-0.085, 0.056, 0.046, 0.056, z=-0.009),
+    Ring(-0.078, 0.062, 0.046, 0.058, z=-0.01),
     Ring(-0.052, 0.085, 0.064, 0.078, z=-0.008, n=2.05),
     Ring(-0.015, 0.107, 0.077, 0.092, z=-0.006, n=2.15),
     Ring(0.035, 0.116, 0.083, 0.09, z=-0.004, n=2.2),
@@ -176,7 +174,7 @@ BLEND_HEAD = 0.03
 BLEND_SHOULDER = 0.075
 BLEND_ARM = 0.048
 BLEND_LEG = 0.064
-BLEND_LEGS = 0.045
+BLEND_LEGS = 0.075
 BLEND_FOOT = 0.034
 BLEND_HAND = 0.016
 BLEND_RIDGE = 0.022
@@ -198,5 +196,9 @@ ELBOW_BAND = (-0.04, 0.04)
 WRIST_BAND = (-0.022, 0.016)
 ANKLE_BAND = (0.15, 0.07)  # height above the sole: all shin above the first, all foot below
 TOE_BAND = (-0.028, 0.022)
+CROTCH_BELOW = 0.055  # under the hip joints: where the thighs' inner roots begin to follow the hips
+CROTCH_DEPTH = 0.1
+CROTCH_WIDTH = 0.05
+CROTCH_SHARE = 0.85
 YOKE_SHARE = 0.35  # of the upper arm's root, turning with the shoulder girdle
 YOKE_REACH = 0.4  # of the upper arm's length

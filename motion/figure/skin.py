@@ -125,6 +125,17 @@ def _add_arm(shares: _Shares, share: Array, points: Array, side: str) -> None:
     shares.add(share * (1 - yoke) * wrist, f"{side}_hand", f"{side}_forearm")
 
 
+def _inner_root(body: Body, points: Array) -> Array:
+    """Share of the hips in the thighs' inner roots, so that the crotch does not fold."""
+    scale = body.trunk.scale
+    middle = body.trunk.found[0]
+    away = np.abs(points[:, 0] - middle[0])
+    below = middle[1] - points[:, 1] - profile.CROTCH_BELOW * scale
+    near = 1 - smoothstep(0.2 * profile.CROTCH_WIDTH * scale, profile.CROTCH_WIDTH * scale, away)
+    high = 1 - smoothstep(0.0, profile.CROTCH_DEPTH * scale, below)
+    return profile.CROTCH_SHARE * near * high
+
+
 def _add_leg(shares: _Shares, share: Array, points: Array, side: str) -> None:
     body = shares.body
     limb, scale = body.legs[side], body.trunk.scale
@@ -135,7 +146,9 @@ def _add_leg(shares: _Shares, share: Array, points: Array, side: str) -> None:
     high, low = (value * height / profile.ANKLE_HEIGHT for value in profile.ANKLE_BAND)
     ankle = smoothstep(high, low, foot[:, 1])
     toes = _band(body.toe_ahead[side], profile.TOE_BAND, scale, foot[:, 2])
-    shares.add(share * (1 - knee), f"{side}_thigh")
+    inner = _inner_root(body, points)
+    shares.add(share * inner, "hips")
+    shares.add(share * (1 - inner) * (1 - knee), f"{side}_thigh")
     shares.add(share * knee * (1 - ankle), f"{side}_shin")
     shares.add(share * knee * ankle * (1 - toes), f"{side}_foot")
     shares.add(share * knee * ankle * toes, f"{side}_toes", f"{side}_foot")
