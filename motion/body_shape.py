@@ -16,6 +16,7 @@ from motion.skeleton import Skeleton
 Array = NDArray[np.float64]
 
 _ALIKE = 0.2  # limbs of a pair differ in length by less than this share
+_FINGER = 0.4  # of an arm's longest bone: a bone shorter than this belongs to the hand
 _CANDIDATES = 8  # a hand full of fingers at one joint is no reason to compare every two of them
 _NOTHING = 1e-3  # of the longest bone: a bone shorter than this only repeats a joint
 
@@ -27,7 +28,7 @@ class _Tree:
     children: dict[int, list[int]]
     lengths: Array  # (J,) distance to the next kept ancestor
     depth: Array  # (J,) length of the longest chain that starts with this joint's own bone
-    still_leaf: set[int]
+    still: set[int]  # joints that never turn in their parent
 
 
 def roles_by_shape(skeleton: Skeleton, pose: WorldPose) -> dict[str, int]:
@@ -79,27 +80,21 @@ def is_left(pose: WorldPose, roles: Mapping[str, int]) -> bool | None:
 def _tree(skeleton: Skeleton, pose: WorldPose) -> _Tree:
     own = np.linalg.norm(skeleton.offsets, axis=-1)
     tiny = _NOTHING * own.max(initial=0.0)
-    kept_parent = np.full(len(skeleton), -1)
     children: dict[int, list[int]] = {}
     for joint in range(1, len(skeleton)):
         parent = int(skeleton.parents[joint])
-        kept_parent[joint] = parent
         children.setdefault(parent, []).append(joint)
     depth = own.copy()
     for joint in range(len(skeleton) - 1, 0, -1):
-        parent = kept_parent[joint]
+        parent = int(skeleton.parents[joint])
         depth[parent] = max(depth[parent], own[parent] + depth[joint])
     own = np.where(own > tiny, own, 0.0)
-    leaves = {joint for joint in range(len(skeleton)) if joint not in children}
-    return _Tree(
-        children, own, depth, {leaf for leaf in leaves if _never_turns(skeleton, pose, leaf)}
-    )
+    still = {joint for joint in range(1, len(skeleton)) if _never_turns(skeleton, pose, joint)}
+    return _Tree(children, own, depth, still)
 
 
 def _never_turns(skeleton: Skeleton, pose: WorldPose, joint: int) -> bool:
-    parent = int(skeleton.parents[joint])
-    if parent < 0:
-        return False
+    parent = skeleton.parents[joint]
     local = multiply(conjugate(pose.rotations[:, parent]), pose.rotations[:, joint])
     return bool(np.ptp(local, axis=0).max() < 1e-6)
 
@@ -176,11 +171,11 @@ def _trunk(tree: _Tree, rest: list[int], chest: int, skull: int) -> dict[str, in
 
 
 def _neck_path(tree: _Tree, skull: int) -> list[int]:
-    """From the neck to the head: up to a fork (a face) or to the last joint that turns."""
+    """From the neck to the head: up to a fork (a face), without a tip that never turns."""
     path = [skull]
     while len(below := tree.children.get(path[-1], [])) == 1:
         path.append(below[0])
-    if len(path) > 1 and path[-1] in tree.still_leaf:
+    if len(path) > 1 and path[-1] in tree.still and path[-2] not in tree.still:
         path.pop()
     return path
 
@@ -195,25 +190,37 @@ def _path_to(tree: _Tree, starts: list[int], end: int) -> list[int]:
     return []
 
 
-def _limb(tree: _Tree, start: int, near: str, far: str, end: str) -> dict[str, int]:
-    """The two longest bones in a row of a branch: where they start, meet and end."""
+def _long_bones(tree: _Tree, start: int) -> list[int]:
+    """The joints of a branch down its longest way, those that only repeat a place left out."""
     chain = [start]
     for joint in _chain(tree, start)[1:]:
         if tree.lengths[joint] > 0:
             chain.append(joint)
-        else:
-            chain[-1] = chain[-1] if len(chain) > 1 and tree.lengths[chain[-1]] > 0 else joint
-    bones = tree.lengths[chain]
+        elif len(chain) == 1 or tree.lengths[chain[-1]] == 0:
+            chain[-1] = joint
+    return chain
+
+
+def _leg(tree: _Tree, start: int) -> dict[str, int]:
+    """Thigh and shin are the two longest bones in a row."""
+    chain = _long_bones(tree, start)
     if len(chain) < 3:
         return {}
-    longest = int(np.argmax([bones[i] + bones[i + 1] for i in range(1, len(chain) - 1)]))
-    roles = {near: chain[longest], far: chain[longest + 1], end: chain[longest + 2]}
-    after = chain[longest + 3 : longest + 4]
-    if after:
-        roles["after"] = after[0]
-    if longest:
-        roles["before"] = chain[longest - 1]
-    return roles
+    bones = tree.lengths[chain]
+    first = int(np.argmax(bones[1:-1] + bones[2:]))
+    return dict(zip(("thigh", "shin", "foot", "toes"), chain[first:], strict=False))
+
+
+def _arm(tree: _Tree, start: int) -> dict[str, int]:
+    """Upper arm and forearm are the last two long bones; what follows is the hand."""
+    chain = _long_bones(tree, start)
+    bones = tree.lengths[chain]
+    long = np.flatnonzero(bones[1:] >= _FINGER * bones[1:].max(initial=0.0)) + 1
+    hand = int(long[-1]) if len(long) else 0
+    if hand < 2:
+        return {}
+    roles = dict(zip(("upper_arm", "forearm", "hand"), chain[hand - 2 :], strict=False))
+    return roles | ({"clavicle": chain[hand - 3]} if hand > 2 else {})
 
 
 def _sides(
@@ -224,14 +231,8 @@ def _sides(
     trunk: dict[str, int],
 ) -> list[tuple[str, dict[str, int], dict[str, int]]]:
     """Legs and arms with the side each is on."""
-    leg_roles = [_limb(tree, leg, "thigh", "shin", "foot") for leg in legs]
-    arm_roles = [_limb(tree, arm, "upper_arm", "forearm", "hand") for arm in arms]
-    for leg in leg_roles:
-        leg.pop("before", None)
-        _rename(leg, "after", "toes")
-    for arm in arm_roles:
-        arm.pop("after", None)
-        _rename(arm, "before", "clavicle")
+    leg_roles = [_leg(tree, leg) for leg in legs]
+    arm_roles = [_arm(tree, arm) for arm in arms]
     if not (all(leg_roles) and all(arm_roles)):
         return []
     if _first_is_left(pose, leg_roles, trunk["head"]) is False:
@@ -239,11 +240,6 @@ def _sides(
     if _crossed(pose, leg_roles, arm_roles):
         arm_roles.reverse()
     return list(zip(("left", "right"), leg_roles, arm_roles, strict=True))
-
-
-def _rename(roles: dict[str, int], old: str, new: str) -> None:
-    if old in roles:
-        roles[new] = roles.pop(old)
 
 
 def _first_is_left(pose: WorldPose, legs: list[dict[str, int]], head: int) -> bool | None:

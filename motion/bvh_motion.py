@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from motion.bvh_hierarchy import BvhJoint, describe_channel
 from motion.bvh_numbers import BadNumberError, Numbers, parse_numbers
-from motion.bvh_text import Limits, Note, Scanner, fault_at, place, quote
+from motion.bvh_text import Limits, Note, Scanner, counted, fault_at, place, quote
 from motion.errors import BvhSyntaxError, Fault
 
 Array = NDArray[np.float64]
@@ -96,8 +96,9 @@ def _read_frame_time(scanner: Scanner, notes: list[Note], given: float | None) -
 
 def _note_frames(notes: list[Note], declared: int, present: int, line: int) -> None:
     if declared != present:
-        text = f"{declared:,} frames declared, {present:,} complete ones present and read"
-        notes.append(Note(text.replace(",", " "), line, f"line {line}"))
+        many = f"{declared:,}".replace(",", " ")
+        text = f"{many} frames declared, {present} complete ones present and read"
+        notes.append(Note(text, line, f"line {line}"))
 
 
 class _ValueReader:
@@ -253,5 +254,6 @@ class _ValueReader:
             values[:, column] = np.interp(frames, known, series)
             missing = np.flatnonzero(gaps[:, column])
             spread = f"frame {missing[0] + 1}" + (" ff." if len(missing) > 1 else "")
-            text = f"{len(missing)} missing values of {joint}, {channel} filled by interpolation"
+            what = counted(len(missing), "missing value")
+            text = f"{what} of {joint}, {channel} filled by interpolation"
             self.notes.append(Note(text, where=spread))

@@ -122,6 +122,8 @@ class _Block:
     def values(self) -> Floats:
         """The block's numbers."""
         space = self.bytes <= ord(" ")
+        if self.bytes.min() < ord("\t"):  # a control character is no white space
+            space &= self.bytes >= ord("\t")
         exponent = (self.bytes | 0x20) == ord("e")
         if exponent[0] or not exponent.any():
             self._split(space)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from motion.errors import BvhSyntaxError, Fault
 
 _TOKEN = re.compile(rb"[{}]|[^\s{}]+")
-_REST_OF_LINE = re.compile(rb"[^\r\n]*")
+_REST_OF_LINE = re.compile(rb"[^\r\n{]*")
 _CONTEXT_WIDTH = 64  # characters of a line shown around a fault
 
 
@@ -138,12 +138,11 @@ class Scanner:
         return token
 
     def rest_of_line(self) -> bytes:
-        """What follows on this line, without white space around it or an opening brace."""
+        """What follows on this line, up to an opening brace, without white space around it."""
         match = _REST_OF_LINE.match(self.data, self.position)
         text = match.group() if match else b""
-        brace = text.rstrip().endswith(b"{")
-        self.position += text.rindex(b"{") if brace else len(text)
-        return (text[: text.rindex(b"{")] if brace else text).strip()
+        self.position += len(text)
+        return text.strip()
 
     def expect(self, token: bytes, why: str) -> None:
         """Move over ``token`` (any case) or raise, saying ``why`` it must stand here."""
@@ -181,6 +180,11 @@ class Scanner:
     def line(self) -> int:
         """1-based line of the token read last."""
         return place(self.data, self.start)[0]
+
+
+def counted(number: int, thing: str) -> str:
+    """A number of things in words: "1 joint", "21 joints"."""
+    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
 
 
 def quote(token: bytes) -> str:

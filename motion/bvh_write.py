@@ -32,20 +32,21 @@ def write_bvh(clip: Clip, *, unit: float = CENTIMETRE) -> bytes:
     """
     if not unit > 0:
         raise MotionError(f"The unit must be above 0 m, not {unit}.")
-    header = _hierarchy(clip.skeleton, unit)
+    header, order = _hierarchy(clip.skeleton, unit)
     header += ["MOTION", f"Frames: {clip.frames}", f"Frame Time: {clip.frame_time!r}", ""]
     positions = clip.root_positions / unit
     if np.abs(positions).max(initial=0.0) > _LIMIT:
         raise MotionError(f"A position of {np.abs(positions).max():.0f} units has too many digits.")
-    angles = np.degrees(to_euler(clip.rotations, _ORDER)).reshape(clip.frames, -1)
+    angles = np.degrees(to_euler(clip.rotations[:, order], _ORDER)).reshape(clip.frames, -1)
     return "\n".join(header).encode() + format_rows(np.hstack([positions, angles]))
 
 
-def _hierarchy(skeleton: Skeleton, unit: float) -> list[str]:
+def _hierarchy(skeleton: Skeleton, unit: float) -> tuple[list[str], list[int]]:
+    """The HIERARCHY part, and the joints in the order in which it opens them."""
     children: list[list[int]] = [[] for _ in skeleton.names]
     for joint, parent in enumerate(skeleton.parents[1:], start=1):
         children[parent].append(joint)
-    lines = ["HIERARCHY"]
+    lines, order = ["HIERARCHY"], []
     stack: list[tuple[int, int, bool]] = [(0, 0, False)]
     while stack:
         joint, depth, closing = stack.pop()
@@ -53,11 +54,12 @@ def _hierarchy(skeleton: Skeleton, unit: float) -> list[str]:
         if closing:
             lines.append(pad + "}")
             continue
+        order.append(joint)
         lines += _joint_lines(skeleton, joint, unit, pad)
         lines += _tip_lines(skeleton, joint, unit, pad + "\t", leaf=not children[joint])
         stack.append((joint, depth, True))
         stack += [(child, depth + 1, False) for child in reversed(children[joint])]
-    return lines
+    return lines, order
 
 
 def _joint_lines(skeleton: Skeleton, joint: int, unit: float, pad: str) -> list[str]:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from motion.bvh import BvhFile
 from motion.bvh_hierarchy import BvhJoint
-from motion.bvh_text import Note
+from motion.bvh_text import Note, counted
 from motion.rotations import (
     between,
     conjugate,
@@ -127,22 +127,27 @@ def _rotations(file: BvhFile, joints: tuple[BvhJoint, ...]) -> Array:
 def merge_root(motion: LocalMotion) -> tuple[LocalMotion, list[Note]]:
     """Take away roots above a single child that moves within them: the travel goes to the child."""
     notes = []
-    while _carries_moving_child(motion):
+    while (what := _mergeable(motion)) is not None:
         root, child = motion.joints[0], motion.joints[1]
-        still = not (np.ptp(motion.positions[:, 0], axis=0).any() or _turns(motion.rotations[:, 0]))
-        what = "The root" if still else "The moving root"
         text = f"{what} “{root.name}” above the moving “{child.name}” was merged into it"
         notes.append(Note(text, root.line, f"line {root.line}"))
         motion = _without_root(motion)
     return motion, notes
 
 
-def _carries_moving_child(motion: LocalMotion) -> bool:
-    children = np.flatnonzero(motion.parents == 0)
-    if len(children) != 1 or any(joint == 0 for joint, _ in motion.tips):
-        return False
-    way = np.ptp(motion.positions[:, 1], axis=0)
-    return bool(np.linalg.norm(way) > _FOLD * reach(motion))
+def _mergeable(motion: LocalMotion) -> str | None:
+    """What to call a root that only carries the hips; None for any other root."""
+    alone = np.count_nonzero(motion.parents == 0) == 1
+    if not alone or any(joint == 0 for joint, _ in motion.tips):
+        return None
+    if not any(name.endswith("position") for name in motion.joints[1].channels):
+        return None
+    still = not (np.ptp(motion.positions[:, 0], axis=0).any() or _turns(motion.rotations[:, 0]))
+    forks = np.count_nonzero(motion.parents == 1) > 1
+    moves = np.linalg.norm(np.ptp(motion.positions[:, 1], axis=0)) > _FOLD * reach(motion)
+    if still and (moves or forks):
+        return "The still root"
+    return "The root" if moves and forks else None
 
 
 def _turns(rotations: Array) -> bool:
@@ -258,15 +263,15 @@ def _notes(
     changed = [index for index in others if moving[index] or not as_written[index]]
     if changed:
         line = motion.joints[changed[0]].line
-        text = f"Position channels replace the offsets of {len(changed)} joints"
+        text = f"Position channels replace the offsets of {counted(len(changed), 'joint')}"
         notes.append(Note(text, line, f"line {line} ff."))
     folded = len([index for index in others if not moving[index]])
     if folded:
         text = "Constant positions folded into the skeleton"
-        notes.append(Note(text, motion.joints[others[0]].line, f"{folded} joints"))
+        notes.append(Note(text, motion.joints[others[0]].line, counted(folded, "joint")))
     if moving.any():
         names = ", ".join(motion.joints[index].name for index in np.flatnonzero(moving)[:3])
         more = "" if moving.sum() <= 3 else f" and {moving.sum() - 3} more"
         text = f"Moving positions of {names}{more} turned into rotations of their parents"
-        notes.append(Note(text, where=f"{moving.sum()} joints"))
+        notes.append(Note(text, where=counted(int(moving.sum()), "joint")))
     return notes
