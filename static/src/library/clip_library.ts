@@ -3,11 +3,12 @@ import { html, LitElement, nothing, type PropertyValues, type TemplateResult } f
 import { customElement, property, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { api, ApiError } from "../api";
+import type { components } from "../api-types";
 import { icon } from "../icons";
 import { drawer } from "./drawer";
 import { DropZone } from "./drop_zone";
-import { ImportQueue, type Imported, type ImportItem } from "./imports";
-import { caption, filtersOf, find, type Clip } from "./model";
+import { ImportQueue, type ImportItem } from "./imports";
+import { caption, filtersOf, find, type Clip, type Imported } from "./model";
 import type { Corrections } from "./corrections";
 import "../viewer/thumbnails";
 
@@ -36,7 +37,7 @@ export class ClipLibrary extends LitElement {
 
   private async load(): Promise<void> {
     try {
-      this.clips = (await api.get<{ clips: Clip[] }>("/api/v1/clips")).clips;
+      this.clips = (await api.get<components["schemas"]["ClipList"]>("/api/v1/clips")).clips;
       this.problem = undefined;
     } catch (error) {
       this.problem = asApiError(error);

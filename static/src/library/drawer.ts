@@ -3,8 +3,8 @@ import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
 import { correctionsForm, type Corrections } from "./corrections";
 import { failure } from "./failure";
-import type { Imported, ImportItem } from "./imports";
-import { counted } from "./model";
+import type { ImportItem } from "./imports";
+import { counted, type Imported } from "./model";
 import * as report from "./report";
 import "./measured_figure";
 
@@ -29,26 +29,29 @@ export function drawer(item: ImportItem, acts: DrawerActs): TemplateResult {
 }
 
 function imported(result: Imported, acts: DrawerActs): TemplateResult {
+  const open = result.clip.state === "to_confirm";
   return html`${heading(result, acts)}
     <measured-figure .clip=${result.clip}></measured-figure>
     <div class="drawer-body">
       ${report.facts(result.report)}
       ${acts.correcting
         ? correctionsForm(result.report, acts.correct, () => acts.change(false))
-        : report.notes(result.report, () => acts.change(true))}
-      ${result.report.questions.length || acts.correcting
+        : report.notes(result.report, open ? () => acts.change(true) : undefined)}
+      ${result.report.questions.length || acts.correcting || !open
         ? nothing
         : html`<p><button class="link-button" @click=${() => acts.change(true)}>Correct unit, axis or roles</button></p>`}
     </div>
     <footer>
       ${acts.others ? html`<p class="tiny">${counted(acts.others, "more file")} to look at</p>` : nothing}
-      <div><button class="button" @click=${acts.discard}>Discard</button>
-      <button class="button primary" data-first @click=${acts.keep}>Yes, keep it</button></div>
+      ${open
+        ? html`<div><button class="button" @click=${acts.discard}>Discard</button>
+            <button class="button primary" data-first @click=${acts.keep}>Yes, keep it</button></div>`
+        : html`<button class="button primary wide" data-first @click=${acts.leaveOut}>Go on</button>`}
     </footer>`;
 }
 
-const heading = ({ clip, report: made }: Imported, acts: DrawerActs) => html`<header>
+const heading = ({ clip, report: made, already_there }: Imported, acts: DrawerActs) => html`<header>
   <div><h2 class="head">${clip.name}</h2>
-    <p class="small quiet">Imported just now · ${report.summary(made)}</p></div>
+    <p class="small quiet">${already_there ? "In the library already" : "Imported just now"} · ${report.summary(made)}</p></div>
   <button class="button quiet icon-button" @click=${acts.close}>${icon("close")}<span class="visually-hidden">Close; decide later</span></button>
 </header>`;

@@ -1,12 +1,7 @@
 // Files on their way into the library: one after the other, each with its progress and its outcome.
 import type { ReactiveController, ReactiveControllerHost } from "lit";
 import { api, ApiError } from "../api";
-import type { Clip, Report } from "./model";
-
-export interface Imported {
-  clip: Clip;
-  report: Report;
-}
+import type { Imported } from "./model";
 
 export interface ImportItem {
   id: number;

@@ -1,44 +1,11 @@
 // What the library shows of a clip, and how it finds one. No DOM in here.
 
-export interface Clip {
-  id: string;
-  name: string;
-  source: "sample" | "imported";
-  state: "kept" | "to_confirm" | "retired";
-  tags: Record<string, string>;
-  frames: number;
-  frame_time: number;
-  duration: number;
-  cyclic: boolean;
-  stature: number;
-  poster_time: number;
-  glb_url: string;
-  /** None where the skeleton lacks a human's parts. */
-  figure_url: string | null;
-  page_url: string;
-}
+import type { components } from "../api-types";
 
-export interface Note {
-  text: string;
-  line?: number | null;
-  where?: string | null;
-}
-
-export interface Report {
-  repairs: Note[];
-  questions: Note[];
-  /** Metres per unit of the file. */
-  unit: number;
-  unit_name: string;
-  up_axis: string;
-  stature: number;
-  roles: Record<string, string>;
-  missing_roles: string[];
-  joint_names: string[];
-  frames: number;
-  frame_time: number;
-  duration: number;
-}
+export type Clip = components["schemas"]["ClipView"];
+export type Note = components["schemas"]["Note"];
+export type Report = components["schemas"]["ImportReport"];
+export type Imported = components["schemas"]["Imported"];
 
 export interface Filter {
   id: string;

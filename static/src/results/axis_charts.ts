@@ -1,35 +1,14 @@
 // <axis-charts>: every clip on one axis at a time, as charts, as a sentence and as numbers.
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import type { components } from "../api-types";
 import { icon } from "../icons";
 import { darkMode, draw, type Spec } from "./chart";
+import { italics } from "./pole_table";
 import { interval, number, percent } from "./words";
 
-interface Cell {
-  clip: string;
-  n: number;
-  mean: number | null;
-  sd: number | null;
-  low: number | null;
-  high: number | null;
-  shares: number[] | null;
-}
-
-export interface Axis {
-  id: string;
-  left: string;
-  right: string;
-  cells: Cell[];
-  sentence: string;
-}
-
-export interface AxisResults {
-  slug: string;
-  participants: number;
-  steps: string[];
-  clips: { id: string; label: string }[];
-  axes: Axis[];
-}
+type StudyResults = components["schemas"]["StudyResults"];
+type Axis = components["schemas"]["Axis"];
 
 const KINDS = ["shares", "means"] as const;
 type Charts = Record<string, { light: Spec; dark: Spec }>;
@@ -41,13 +20,13 @@ export class AxisCharts extends LitElement {
   @property({ attribute: "charts-in" }) chartsIn = "charts";
   @state() private chosen = 0;
   @state() private showNumbers = false;
-  private results!: AxisResults;
+  private results!: StudyResults;
   private charts!: Charts;
   private readonly dark = darkMode();
   private readonly redraw = () => void this.drawCharts();
 
   protected override createRenderRoot(): HTMLElement {
-    this.results = dataOf<AxisResults>(this.resultsIn);
+    this.results = dataOf<StudyResults>(this.resultsIn);
     this.charts = dataOf<Charts>(this.chartsIn);
     this.replaceChildren();
     return this;
@@ -93,7 +72,7 @@ export class AxisCharts extends LitElement {
           <p class="small quiet">Coloured where the interval lies on one side of the middle.</p></figcaption>
           <div class="chart" data-chart="means" role="img" aria-label="Means with 95 % intervals, ${left} to ${right}; the numbers are in the table below"></div></figure>
       </div>
-      <p class="lead sentence">${sentence}</p>
+      <p class="sentence">${italics(sentence)}</p>
       <button class="button" aria-expanded=${this.showNumbers} @click=${() => (this.showNumbers = !this.showNumbers)}>${icon("table")}${this.showNumbers ? "Hide the numbers" : "Numbers"}</button>
       ${this.showNumbers ? this.numbers() : nothing}`;
   }

@@ -11,7 +11,7 @@ export function copyButtons(root: ParentNode = document): void {
 
 async function copy(button: HTMLElement): Promise<void> {
   const wanted = button.dataset.copy ?? "";
-  const text = document.getElementById(wanted)?.textContent?.trim() ?? wanted;
+  const text = (document.getElementById(wanted)?.textContent?.trim() ?? wanted).replaceAll("\u00a0", " ");
   const word = button.querySelector<HTMLElement>("[data-word]") ?? button;
   const before = word.textContent;
   word.textContent = (await written(text)) ? "Copied" : "Press Ctrl+C to copy";
