@@ -64,7 +64,7 @@ class Knock:
 
 KNOCKS: dict[str, Knock] = {
     "afraid": Knock(
-        count=2, period=0.40, swing=13, raise_time=1.35, height=30, out=4, elbow=124, lean=-3,
+        count=2, period=0.40, swing=16, raise_time=1.35, height=44, out=4, elbow=122, lean=-2,
         head=-4, pause=0.25, drop_time=0.45, uneven=0.25, falter=0.35, breath=1.7, tremble=0.9,
     ),
     "angry": Knock(
@@ -97,7 +97,7 @@ KNOCKS: dict[str, Knock] = {
         head=5, pause=0.30, drop_time=0.8, uneven=0.15, breath=4.4,
     ),
     "weak": Knock(
-        count=3, period=0.42, swing=10, raise_time=1.0, height=28, out=3, elbow=120, lean=2,
+        count=3, period=0.42, swing=16, raise_time=1.0, height=30, out=3, elbow=124, lean=2,
         pause=0.25, drop_time=0.9, uneven=0.1, breath=3.0, tremble=0.3,
     ),
 }  # fmt: skip
@@ -158,15 +158,17 @@ def _knock(channels: Channels, plan: Plan, knock: Knock, hits: Array) -> None:
     """Lay the knock over the right arm, the trunk and the hips."""
     t = plan.times
     rise = (t - hits[0] + knock.raise_time) / (knock.raise_time * 0.92)
-    falter = np.exp(-(((rise - 0.55) / 0.16) ** 2))
-    up = gait.smooth_step(rise / (1.0 - 0.3 * knock.falter)) - knock.falter * falter
-    down = gait.smooth_step((t - hits[-1] - 0.15) / knock.drop_time)
-    near = up * (1.0 - down)
+    fall = (t - hits[-1] - 0.15) / knock.drop_time
+    near = _raised(rise, fall, knock.falter, 0.0)
+    # The hand comes up along the body and goes back along it, as the door would have it: the
+    # elbow bends before the arm lifts, and stretches after it has sunk.
+    bent = _raised(rise, fall, knock.falter, 0.3)
     strike = _strikes(t, hits, knock.period)
     force = knock.swing / 22.0 * strike
     # The wrist leads: on the way up and down the hand hangs behind the forearm.
-    trailing = 30.0 * np.sin(np.pi * np.clip(up, 0.0, 1.0)) - 14.0 * np.sin(np.pi * down)
-    poses = {
+    trailing = 30.0 * np.sin(np.pi * gait.smooth_step(rise * 1.1))
+    trailing -= 12.0 * np.sin(np.pi * gait.smooth_step(fall))
+    poses: dict[str, Array | float] = {
         "swing": knock.height + 0.22 * knock.swing * strike,
         "out": knock.out,
         "turn": 14.0,
@@ -178,7 +180,8 @@ def _knock(channels: Channels, plan: Plan, knock: Knock, hits: Array) -> None:
     }
     arm = channels.arms[RIGHT]
     for name, value in poses.items():
-        setattr(arm, name, (1.0 - near) * getattr(arm, name) + near * value)
+        share = bent if name == "elbow" else near
+        setattr(arm, name, (1.0 - share) * getattr(arm, name) + share * value)
     arm.wrist = arm.wrist + trailing
     channels.chest += np.stack(
         [near * (-5.0 - 1.5 * force), near * (knock.lean + 1.0 * force), 1.5 * near], axis=-1
@@ -187,6 +190,13 @@ def _knock(channels: Channels, plan: Plan, knock: Knock, hits: Array) -> None:
     channels.head[:, 1] += near * (knock.head + 0.5 * force)
     channels.forward += 0.015 * near
     channels.sideways += -0.012 * near
+
+
+def _raised(rise: Array, fall: Array, falter: float, lead: float) -> Array:
+    """(T,) from 0, hanging, to 1, at the door; ``lead`` is up earlier and down later."""
+    up = gait.smooth_step((rise - 0.3 + lead) / 0.7)
+    up = up - falter * np.exp(-(((rise - 0.62 + 0.5 * lead) / 0.16) ** 2))
+    return up * (1.0 - gait.smooth_step((fall - lead) / 0.7))
 
 
 def _strikes(times: Array, hits: Array, period: float) -> Array:

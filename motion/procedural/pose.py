@@ -28,7 +28,7 @@ from motion.skeleton import Skeleton
 Array = NDArray[np.float64]
 
 _X, _Y, _Z = np.eye(3)
-_REACH = 0.9985  # share of the leg's length at which the hips come down rather than stretch it
+_REACH = 0.9978  # share of the leg's length at which the hips come down rather than stretch it
 
 
 def orientation(yaw_pitch_roll: Array) -> Array:
@@ -85,7 +85,7 @@ def _root(
         ceiling.append(level[:, 1] + np.sqrt(np.maximum(reach - across, 0.01)))
     carrier = plan.smooth(plan.carrier(), 0.01)
     height = carrier * carried[0] + (1.0 - carrier) * carried[1]
-    height = plan.smooth(np.minimum(height, np.minimum(*ceiling)), 0.035)
+    height = plan.smooth(np.minimum(height, np.minimum(*ceiling)), 0.03)
     mean = plan.smooth(height, 0.35)
     height = mean + style.bounce * (height - mean) - channels.drop
     excess = np.maximum(height - np.minimum(*ceiling), 0.0)

@@ -48,7 +48,7 @@ class Style:
     """
 
     cadence: float = 110.0
-    stride: float = 1.50
+    stride: float = 1.48
     step_width: float = 0.095
     toe_out: float = 7.0
     stance: float = 0.60

@@ -44,7 +44,7 @@ CHARACTERS: dict[str, Style] = {
     ),
     "timid": NEUTRAL.but(
         cadence=92, stride=0.84, stance=0.68, lean=6, chest_pitch=10, head_pitch=20, arm_swing=5,
-        arm_forward=16, arm_out=4, arm_turn=36, elbow=98, elbow_swing=4, shoulder_lift=9,
+        arm_forward=12, arm_out=4, arm_turn=34, elbow=108, elbow_swing=4, wrist=22, shoulder_lift=9,
         shoulder_forward=12, tension=0.7, hesitation=0.5, step_width=0.06, toe_out=1, knee_bend=8,
         bounce=0.6, heel_strike=0.6, foot_lift=0.8,
     ),
@@ -73,8 +73,8 @@ AFFECTS: dict[str, Style] = {
         arm_out=14, shoulder_twist=10, head_pitch=-7, chest_pitch=-3, foot_lift=1.3, head_bob=2,
     ),
     "pleasure": NEUTRAL.but(
-        cadence=112, stride=1.56, stance=0.59, bounce=1.45, arm_swing=48, elbow=26, elbow_swing=26, arm_out=10,
-        shoulder_twist=7, pelvis_roll=1.25, head_pitch=-6, chest_pitch=-3, side_lean=2,
+        cadence=112, stride=1.56, stance=0.59, bounce=1.45, arm_swing=48, elbow=26,
+        elbow_swing=26, arm_out=10, shoulder_twist=7, pelvis_roll=1.25, head_pitch=-6, chest_pitch=-3, side_lean=2,
     ),
     "contentment": NEUTRAL.but(
         cadence=98, stride=1.44, stance=0.62, bounce=0.95, arm_swing=36, elbow=18, arm_out=8,
@@ -106,7 +106,7 @@ AFFECTS: dict[str, Style] = {
         step_width=0.08, knee_bend=4,
     ),
     "arousal": NEUTRAL.but(
-        cadence=130, stride=1.52, stance=0.595, lean=6, chest_pitch=-4, head_pitch=-4, arm_swing=46,
+        cadence=130, stride=1.46, stance=0.595, lean=6, chest_pitch=-4, head_pitch=-4, arm_swing=46,
         arm_out=12, elbow=66, elbow_swing=24, shoulder_lift=5, shoulder_twist=7, tension=0.5,
         bounce=1.1, wrist=15,
     ),
@@ -118,7 +118,7 @@ AFFECTS: dict[str, Style] = {
 ACTED: dict[str, Style] = {
     "afraid": CHARACTERS["timid"].but(
         cadence=112, stride=0.92, stance=0.65, hesitation=0.45, head_pitch=8, head_bob=2,
-        knee_bend=12, elbow=86, lean=4,
+        knee_bend=12, elbow=116, arm_forward=10, arm_turn=34, lean=4, wrist=26,
     ),
     "angry": CHARACTERS["angry"],
     "excited": AFFECTS["excitement"],
