@@ -22,7 +22,9 @@ class Row:
     spread: tuple[float, float] | None = None
 
 
-def in_turn(contenders: Mapping[str, Callable[[], object]], runs: int = RUNS) -> dict[str, list[float]]:
+def in_turn(
+    contenders: Mapping[str, Callable[[], object]], runs: int = RUNS
+) -> dict[str, list[float]]:
     """Seconds of each run of each contender: A B C A B C …, after one warm-up each."""
     for run in contenders.values():
         run()
@@ -43,7 +45,9 @@ def rates(
     for position, (name, seconds) in enumerate(in_turn(contenders).items()):
         speeds = [work / s for s in seconds]
         spread = (min(speeds), max(speeds))
-        rows.append(Row(what, name, statistics.median(speeds), unit, aim if position == 0 else "", spread))
+        rows.append(
+            Row(what, name, statistics.median(speeds), unit, aim if position == 0 else "", spread)
+        )
     return rows
 
 
@@ -55,5 +59,7 @@ def durations(
     for position, (name, seconds) in enumerate(in_turn(contenders).items()):
         times = [1000 * s for s in seconds]
         spread = (min(times), max(times))
-        rows.append(Row(what, name, statistics.median(times), unit, aim if position == 0 else "", spread))
+        rows.append(
+            Row(what, name, statistics.median(times), unit, aim if position == 0 else "", spread)
+        )
     return rows

@@ -35,7 +35,11 @@ def rows(scratch: Path) -> list[Row]:
         *parsing("Read BVH, CMU 131_01", MOTIONS / "cmu" / "131_01_start_walk_stop.bvh", "≥ pybvh"),
         *parsing("Read BVH, CMU, 2752 × 31", long_walk, "≥ pybvh"),
         *parsing("Read BVH, 20 MB", large, "≥ 120", slow_peers=False),
-        *parsing("Read BVH, Bandai dance", MOTIONS / "bandai-namco" / "dance-short_normal_001.bvh", "as CMU"),
+        *parsing(
+            "Read BVH, Bandai dance",
+            MOTIONS / "bandai-namco" / "dance-short_normal_001.bvh",
+            "as CMU",
+        ),
     ]
     clip = ingest(long_walk.read_bytes(), IngestOptions()).clip
     return [*found, *kinematics(clip, long_walk), *glb(clip), *figure(clip)]
@@ -77,7 +81,10 @@ def parsing(what: str, path: Path, aim: str, *, slow_peers: bool = True) -> list
 def kinematics(clip: Clip, path: Path) -> list[Row]:
     theirs = quietly(lambda: pybvh.read_bvh_file(str(path)))()
     skeleton = clip.skeleton
-    offsets, parents = np.array(skeleton.offsets), np.where(skeleton.parents < 0, 0, skeleton.parents)
+    offsets, parents = (
+        np.array(skeleton.offsets),
+        np.where(skeleton.parents < 0, 0, skeleton.parents),
+    )
     contenders: dict[str, Callable[[], object]] = {
         "Manner": lambda: forward_kinematics(clip),
         "PyMotion": lambda: pymotion_fk(clip.rotations, clip.root_positions, offsets, parents),

@@ -1,0 +1,86 @@
+"""What participants wait for: the page's weight, answers a second, the figure's share of a frame."""
+
+from __future__ import annotations
+
+import gzip
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+from pathlib import Path
+
+from playwright.sync_api import Page, Response, sync_playwright
+
+from tests.bench import answers_load
+from tests.bench.measure import RUNS, Row
+from tests.browser.conftest import CHROMIUM_ARGUMENTS
+from tests.browser.participant import begin
+from tests.support.server import Server
+
+# What the aim leaves out: figures and clips (GLB) and fonts.
+_LEFT_OUT = (".glb", ".woff2")
+
+
+def rows(scratch: Path) -> list[Row]:
+    """All rows about the web side, on a server of its own with the sample library."""
+    return [*answers(), *participant(scratch)]
+
+
+def answers() -> list[Row]:
+    """Durable answers a second at 32 clients: SQLite, synchronous=FULL."""
+    runs = answers_load.measure(clients=32, seconds=4.0, runs=RUNS)
+    speeds = [run.rate for run in runs]
+    late = [run.percentile(95) for run in runs]
+    what = "Answers, 32 clients, SQLite"
+    return [
+        _median(what, speeds, "answers/s", "≥ 300"),
+        _median(f"{what}, p95", late, "ms", "≤ 150"),
+    ]
+
+
+def participant(scratch: Path) -> list[Row]:
+    """The trial page's weight, and the main thread's work for one figure in a frame."""
+    server = Server(scratch / "data")
+    server.data_directory.mkdir()
+    environment = {**os.environ, "MANNER_DATA_DIRECTORY": str(server.data_directory)}
+    subprocess.run([sys.executable, "-m", "app.cli", "prepare"], env=environment, check=True)
+    server.start()
+    try:
+        with sync_playwright() as playwright:
+            chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+            browser = playwright.chromium.launch(executable_path=chromium, args=CHROMIUM_ARGUMENTS)
+            page = browser.new_page(viewport={"width": 1280, "height": 800})
+            return _measure_trial(page, server)
+    finally:
+        server.stop()
+
+
+def _measure_trial(page: Page, server: Server) -> list[Row]:
+    sizes: dict[str, float] = {}
+
+    def weigh(response: Response) -> None:
+        url, body = response.url.split("?")[0], response.body()
+        if not url.endswith(_LEFT_OUT) and "/api/" not in url:
+            sizes[url] = len(gzip.compress(body, 6)) / 1000
+
+    link = begin(page, server)
+    page.context.clear_cookies()
+    page.on("requestfinished", lambda request: weigh(request.response()))
+    page.goto(link)
+    page.wait_for_selector("motion-viewer")
+    page.wait_for_timeout(3000)
+    work = []
+    for _ in range(RUNS):
+        page.wait_for_timeout(1000)
+        work.append(
+            page.evaluate("document.querySelector('motion-viewer').statistics.mainThreadMs")
+        )
+    return [
+        Row("Participant's page, gzip", "Manner", sum(sizes.values()), "kB", "≤ 260"),
+        _median("Pose and draw one figure, main thread", work, "ms/frame", "≤ 2"),
+    ]
+
+
+def _median(what: str, values: list[float], unit: str, aim: str) -> Row:
+    return Row(what, "Manner", statistics.median(values), unit, aim, (min(values), max(values)))
