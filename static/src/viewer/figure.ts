@@ -19,6 +19,8 @@ export interface FigureOptions {
   /** x of its place on the stage, metres. */
   place: number;
   discRadius: number;
+  /** Toward the key light, unit length; shared with the lights. */
+  key: Vector3;
 }
 
 export class Figure {
@@ -56,7 +58,6 @@ export class Figure {
     this.soles = this.solePoints.map(() => new Vector4());
     this.clay = this.makeClay();
     this.mesh = this.skinned(this.clay.material);
-    this.mesh.castShadow = this.mesh.receiveShadow = !options.ghost;
     this.mesh.renderOrder = options.ghost ? 11 : 0;
     this.depth = options.ghost ? this.skinned(ghostDepthMaterial(options.ghost)) : null;
     if (this.depth) this.depth.renderOrder = 10;
@@ -65,7 +66,7 @@ export class Figure {
     this.group.position.x = options.place;
     this.disc = options.ghost && options.ghost !== "loading"
       ? null
-      : new Disc(options.discRadius, this.spheres, this.soles, options.tier);
+      : new Disc(options.discRadius, this.spheres, this.soles, options.key, options.tier);
     if (this.disc) this.group.add(this.disc.mesh);
   }
 
@@ -127,10 +128,10 @@ export class Figure {
   }
 
   private makeClay(): Clay {
-    const { tier, ghost } = this.options;
+    const { tier, ghost, key } = this.options;
     const shown = this.body.spheres.slice(0, MOST_SPHERES);
     const counts = LIMBS.map((_, limb) => shown.filter((sphere) => sphere.limb === limb).length);
-    return new Clay({ spheres: this.spheres, counts, tier, ghost });
+    return new Clay({ spheres: this.spheres, counts, key, tier, ghost });
   }
 
   private skinned(material: SkinnedMesh["material"]): SkinnedMesh {

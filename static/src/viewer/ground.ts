@@ -5,11 +5,11 @@ import {
   PlaneGeometry,
   ShaderMaterial,
   Vector2,
-  Vector3,
+  type Vector3,
   Vector4,
 } from "three";
 import { looks, plainColour, type Mode } from "./looks";
-import { SPHERE_SHADE } from "./shading";
+import { SPHERE_CAST, SPHERE_SHADE } from "./shading";
 import type { Tier } from "./statistics";
 
 const { ground } = looks;
@@ -70,6 +70,7 @@ varying vec2 vPlace;
 varying vec3 vWorld;
 ${LINE}
 ${SPHERE_SHADE}
+${SPHERE_CAST}
 float contactShade() {
   float open = 1.0;
   for (int i = 0; i < SOLES; i += 1) {
@@ -88,7 +89,7 @@ float ambientShade() {
   for (int i = 0; i < SOLES; i += 1) {
     vec3 way = soles[i].xyz - vWorld;
     float sigma = 0.11 + max(way.y, 0.0);
-    open *= 1.0 - 0.2 * soles[i].w * exp(-0.5 * dot(way.xz, way.xz) / (sigma * sigma));
+    open *= 1.0 - 0.13 * soles[i].w * exp(-0.5 * dot(way.xz, way.xz) / (sigma * sigma));
   }
 #else
   for (int i = 0; i < SPHERES; i += 1)
@@ -96,16 +97,10 @@ float ambientShade() {
 #endif
   return 1.0 - open;
 }
-// The key light's shadow of the same spheres: its edge softens with the height of what casts it.
+// The key light's shadow of the same spheres.
 float castShade() {
   float open = 1.0;
-  for (int i = 0; i < SPHERES; i += 1) {
-    vec3 way = spheres[i].xyz - vWorld;
-    float along = max(dot(way, key), 0.0);
-    float away = length(way - along * key);
-    float soft = 0.015 + 0.07 * along;
-    open *= smoothstep(spheres[i].w - soft, spheres[i].w + soft, away);
-  }
+  for (int i = 0; i < SPHERES; i += 1) open *= pastSphere(vWorld, key, spheres[i], -spheres[i].w);
   return 1.0 - open;
 }
 void main() {
@@ -187,7 +182,7 @@ export class Disc {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
 
-  constructor(radius: number, spheres: Vector4[], soles: Vector4[], tier: Tier) {
+  constructor(radius: number, spheres: Vector4[], soles: Vector4[], key: Vector3, tier: Tier) {
     const plain = tier === "plain" || spheres.length === 0;
     const uniform = <T>(value: T) => ({ value });
     this.material = new ShaderMaterial({
@@ -201,7 +196,7 @@ export class Disc {
         ambient: uniform(0),
         contact: uniform(0),
         castAmount: uniform(0),
-        key: uniform(new Vector3(0, 1, 0)),
+        key: uniform(key),
         spheres: uniform(spheres.length ? spheres : NOTHING),
         soles: uniform(soles.length ? soles : NOTHING),
       },
@@ -229,11 +224,6 @@ export class Disc {
     uniforms["ambient"]!.value = ground.shade.ambient[mode];
     uniforms["contact"]!.value = ground.shade.contact[mode];
     uniforms["castAmount"]!.value = ground.shade.castOpacity[mode];
-  }
-
-  /** Direction toward the key light, unit length. */
-  setKey(direction: Vector3): void {
-    (this.material.uniforms["key"]!.value as Vector3).copy(direction);
   }
 
   dispose(): void {

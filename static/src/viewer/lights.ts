@@ -2,11 +2,6 @@
 import { DirectionalLight, Group, HemisphereLight, MathUtils, Vector3 } from "three";
 import { looks, type Mode } from "./looks";
 
-const DISTANCE = 6;
-/** Height around which the shadow's map is spent. */
-const MIDDLE = 0.85;
-const SHADOW_TEXELS = 1024;
-
 export class Lights {
   readonly group = new Group();
   /** Toward the key light, unit length. */
@@ -17,13 +12,7 @@ export class Lights {
   private readonly sky = new HemisphereLight();
 
   constructor() {
-    this.group.add(this.key, this.fill, this.rim, this.sky, this.key.target);
-    const { shadow } = this.key;
-    shadow.mapSize.set(SHADOW_TEXELS, SHADOW_TEXELS);
-    shadow.intensity = looks.light.key.shadow;
-    shadow.bias = -0.0006;
-    shadow.normalBias = 0.012;
-    shadow.radius = 3;
+    this.group.add(this.key, this.fill, this.rim, this.sky);
   }
 
   setMode(mode: Mode): void {
@@ -37,29 +26,13 @@ export class Lights {
     this.sky.intensity = intensity;
   }
 
-  setShadows(on: boolean): void {
-    this.key.castShadow = on;
-  }
-
-  /** Places the lights for a standard view (degrees) and a stage of some radius (metres). */
-  place(azimuth: number, radius: number): void {
+  /** Places the lights for a standard view, in degrees. */
+  place(azimuth: number): void {
     for (const name of ["key", "fill", "rim"] as const) {
       const { azimuthFromCamera, elevation } = looks.light[name];
-      direction(azimuth + azimuthFromCamera, elevation, DISTANCE, this[name].position);
+      direction(azimuth + azimuthFromCamera, elevation, 1, this[name].position);
     }
-    const { camera } = this.key.shadow;
-    this.keyDirection.copy(this.key.position).normalize();
-    this.key.target.position.set(0, MIDDLE, 0);
-    this.key.position.y += MIDDLE;
-    camera.left = camera.bottom = -radius;
-    camera.right = camera.top = radius;
-    camera.near = DISTANCE - 3;
-    camera.far = DISTANCE + 3;
-    camera.updateProjectionMatrix();
-  }
-
-  dispose(): void {
-    this.key.dispose();
+    this.keyDirection.copy(this.key.position);
   }
 }
 

@@ -39,10 +39,12 @@ function endless(roots: Float32Array, axis: number): (frame: number) => number {
 
 function mirrored(roots: Float32Array, axis: number): (frame: number) => number {
   const last = roots.length / 3 - 1;
-  const value = (frame: number) => roots[Math.min(Math.max(frame, 0), last) * 3 + axis]!;
-  return (frame) => {
-    if (frame < 0) return 2 * value(0) - value(-frame);
-    if (frame > last) return 2 * value(last) - value(2 * last - frame);
+  const value = (frame: number) => roots[frame * 3 + axis]!;
+  if (last === 0) return () => value(0);
+  const at = (frame: number): number => {
+    if (frame < 0) return 2 * value(0) - at(-frame);
+    if (frame > last) return 2 * value(last) - at(2 * last - frame);
     return value(frame);
   };
+  return at;
 }

@@ -1,5 +1,5 @@
 /** The page's one WebGL context. A lone view shows its canvas; several views get copies of it. */
-import { Vector4, WebGLRenderer, PCFShadowMap, NoToneMapping, type Camera, type Scene } from "three";
+import { Vector4, WebGLRenderer, NoToneMapping, type Camera, type Scene } from "three";
 
 export const MOST_PIXEL_RATIO = 2;
 
@@ -77,8 +77,6 @@ export class SharedRenderer {
     });
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.toneMapping = NoToneMapping;
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
     const canvas = this.renderer.domElement;
     canvas.setAttribute("aria-hidden", "true");
     canvas.addEventListener("webglcontextrestored", () => {

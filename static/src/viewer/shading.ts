@@ -22,28 +22,42 @@ float hiddenBySphere(vec3 point, vec3 normal, vec4 sphere) {
 }`;
 
 /**
- * Code of `float openness(point, normal)`: how much of the sky a point of the body sees past the
- * limbs that it is no part of. One loop with fixed bounds a limb, which every driver unrolls well.
+ * How much of a small lamp a sphere lets through; its edge softens with the way to the sphere.
+ * What touches the surface is left out: there the turning away from the light says enough.
  */
-export function opennessShader(counts: readonly number[]): string {
+export const SPHERE_CAST = /* glsl */ `
+float pastSphere(vec3 point, vec3 toward, vec4 sphere, float nearest) {
+  vec3 way = sphere.xyz - point;
+  float along = dot(way, toward);
+  float away = length(way - along * toward);
+  float soft = 0.02 + 0.07 * max(along, 0.0);
+  float hidden = 1.0 - smoothstep(sphere.w - soft, sphere.w + soft, away);
+  return 1.0 - hidden * smoothstep(nearest, nearest + sphere.w, along);
+}`;
+
+/**
+ * Code of `shadeFromLimbs`: how much of the sky, and of the key light, reaches a point of the body
+ * past the limbs that it is no part of. One loop with fixed bounds a limb, so that drivers unroll.
+ */
+export function limbShader(counts: readonly number[]): string {
   let first = 0;
   const loops = LIMBS.map((limb, index) => {
     const count = counts[index] ?? 0;
     const share = `${index < 3 ? "vLimbsA" : "vLimbsB"}.${"xyz"[index % 3]}`;
-    const loop =
-      count === 0
-        ? ""
-        : `own = 1.0 - ${share}; // ${limb}
-  if (own > 0.01) for (int i = ${first}; i < ${first + count}; i += 1)
-    open *= 1.0 - own * hiddenBySphere(point, normal, spheres[i]);`;
+    const from = first;
     first += count;
-    return loop;
+    if (count === 0) return "";
+    return `
+  other = 1.0 - ${share}; // ${limb}
+  if (other > 0.01) for (int i = ${from}; i < ${from + count}; i += 1) {
+    sky *= 1.0 - other * hiddenBySphere(point, normal, spheres[i]);
+    lamp *= mix(1.0, pastSphere(point, key, spheres[i], 0.2 * spheres[i].w), other);
+  }`;
   });
   return `${SPHERE_SHADE}
-float openness(vec3 point, vec3 normal) {
-  float open = 1.0;
-  float own;
-  ${loops.filter(Boolean).join("\n  ")}
-  return open;
+${SPHERE_CAST}
+void shadeFromLimbs(vec3 point, vec3 normal, out float sky, out float lamp) {
+  sky = lamp = 1.0;
+  float other;${loops.join("")}
 }`;
 }

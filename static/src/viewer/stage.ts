@@ -41,7 +41,6 @@ export class Stage {
   constructor(readonly surface: Surface) {
     this.scene.add(this.lights.group, this.floor.mesh);
     this.setMode("light");
-    this.setTier("full");
     this.cast([]);
   }
 
@@ -62,11 +61,9 @@ export class Stage {
   }
 
   setTier(tier: Tier): void {
-    if (tier !== this.tier) {
-      this.tier = tier;
-      this.rebuild();
-    }
-    this.lights.setShadows(tier === "full");
+    if (tier === this.tier) return;
+    this.tier = tier;
+    this.rebuild();
   }
 
   /** The standard view of this stage where it is not the usual one, in degrees. */
@@ -105,7 +102,6 @@ export class Stage {
     for (const figure of this.figures) figure.dispose();
     this.bareDisc?.dispose();
     this.floor.dispose();
-    this.lights.dispose();
   }
 
   private get solid(): number {
@@ -130,11 +126,12 @@ export class Stage {
   private rebuild(): void {
     for (const figure of this.figures) figure.dispose();
     const { places, discRadius, tier } = this;
+    const key = this.lights.keyDirection;
     let taken = -1;
     this.figures = this.performers.map(({ body, clip, role, ghost }) => {
       if (!ghost) taken += 1;
       const place = places[Math.max(taken, 0)] ?? 0;
-      return new Figure(body, clip, { role, ghost, tier, place, discRadius });
+      return new Figure(body, clip, { role, ghost, tier, place, discRadius, key });
     });
     for (const figure of this.figures) this.scene.add(figure.group);
     this.leader = this.figures.filter((figure) => figure.disc).at(-1);
@@ -146,14 +143,13 @@ export class Stage {
 
   /** The lights belong to the standard view; turning the camera does not move them. */
   private light(): void {
-    this.lights.place(this.homeAzimuth, 1.05 + (this.places.at(-1) ?? 0));
-    for (const figure of this.figures) figure.disc?.setKey(this.lights.keyDirection);
+    this.lights.place(this.homeAzimuth);
   }
 
   /** An empty stage still shows where somebody will stand. */
   private showBareDisc(shown: boolean): void {
     this.bareDisc?.dispose();
-    this.bareDisc = shown ? new Disc(this.discRadius, [], [], "plain") : null;
+    this.bareDisc = shown ? new Disc(this.discRadius, [], [], this.lights.keyDirection, "plain") : null;
     if (this.bareDisc) this.scene.add(this.bareDisc.mesh);
   }
 
