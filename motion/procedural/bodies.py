@@ -79,9 +79,9 @@ class Foot:
 BODIES = {
     body.name: body
     for body in (
-        Body("adult", stature=1.72, leg=0.527, hip_half=0.088, shoulder_half=0.176),
-        Body("female", stature=1.65, leg=0.528, hip_half=0.091, shoulder_half=0.160),
-        Body("male", stature=1.79, leg=0.526, hip_half=0.087, shoulder_half=0.194),
+        Body("adult", stature=1.72, leg=0.535, hip_half=0.080, shoulder_half=0.147),
+        Body("female", stature=1.65, leg=0.538, hip_half=0.083, shoulder_half=0.134),
+        Body("male", stature=1.79, leg=0.533, hip_half=0.080, shoulder_half=0.164),
     )
 }
 
@@ -132,8 +132,8 @@ def _arm(body: Body, side: str, sign: float) -> list[_Joint]:
             f"{side}_clavicle",
             (sign * (body.shoulder_half - inner), -0.010 * above_hips, -0.016),
         ),
-        (f"{side}_forearm", f"{side}_upper_arm", (sign * 0.170 * body.stature, 0.0, 0.0)),
-        (f"{side}_hand", f"{side}_forearm", (sign * 0.147 * body.stature, 0.0, 0.0)),
+        (f"{side}_forearm", f"{side}_upper_arm", (sign * 0.163 * body.stature, 0.0, 0.0)),
+        (f"{side}_hand", f"{side}_forearm", (sign * 0.143 * body.stature, 0.0, 0.0)),
     ]
 
 

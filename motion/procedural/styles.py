@@ -74,7 +74,8 @@ AFFECTS: dict[str, Style] = {
     ),
     "pleasure": NEUTRAL.but(
         cadence=112, stride=1.56, stance=0.59, bounce=1.45, arm_swing=48, elbow=26,
-        elbow_swing=26, arm_out=10, shoulder_twist=7, pelvis_roll=1.25, head_pitch=-6, chest_pitch=-3, side_lean=2,
+        elbow_swing=26, arm_out=10, shoulder_twist=7, pelvis_roll=1.25, head_pitch=-6,
+        chest_pitch=-3, side_lean=2,
     ),
     "contentment": NEUTRAL.but(
         cadence=98, stride=1.44, stance=0.62, bounce=0.95, arm_swing=36, elbow=18, arm_out=8,
