@@ -27,6 +27,7 @@ from app.routes import (
     research_auth,
     sessions_api,
 )
+from app.schemas.errors import ERRORS
 from app.security import (
     AttemptLimiter,
     BodyLimitMiddleware,
@@ -60,6 +61,7 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
         title="Manner",
         version=version("manner"),
         description="Perception studies of human motion: clips, imports, sessions and answers.",
+        responses={422: ERRORS[422]},  # instead of FastAPI's own shape
         generate_unique_id_function=lambda route: route.name,
         openapi_url="/api/v1/openapi.json",
         docs_url=None,  # their scripts come from elsewhere, which the content policy forbids

@@ -7,21 +7,42 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import pytest
+from argon2 import PasswordHasher
 from httpx2 import Response
 from starlette.testclient import TestClient
 
 from app.persistence.engine import Database
-from app.services import researchers, samples
+from app.services import clip_files, researchers, samples
+from motion import Clip
+from motion.figure import FigureMesh, build_figure
 from tests.support.motions import walks
 
 EMAIL, PASSWORD = "rosa@example.org", "four plain words here"
 
 
-def csrf_token(client: TestClient, page: str = "/research/sign-in") -> str:
+def csrf_token(client: TestClient, page: str = "/no-webgl") -> str:
     """The token that a page of this browser carries."""
     found = re.search(r'name="csrf-token" content="([^"]+)"', client.get(page).text)
     assert found, f"{page} carries no token"
     return found.group(1)
+
+
+@pytest.fixture(autouse=True)
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Passwords are hashed cheaply, and a skeleton's figure is built once for all tests."""
+    cheap = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
+    monkeypatch.setattr(researchers, "_hasher", cheap)
+    monkeypatch.setattr(clip_files, "build_figure", built_once)
+
+
+def built_once(clip: Clip) -> FigureMesh:
+    key = clip.skeleton.content_hash
+    if key not in _figures:
+        _figures[key] = build_figure(clip)
+    return _figures[key]
+
+
+_figures: dict[str, FigureMesh] = {}
 
 
 @pytest.fixture

@@ -1,0 +1,85 @@
+"""The command line: prepare, import, the one-time link."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from sqlalchemy import select
+from typer.testing import CliRunner, Result
+
+from app.cli import app
+from app.persistence.engine import Database, make_engine
+from app.persistence.models import ClipRecord
+from app.services import samples
+from app.settings import Settings
+from tests.support.motions import faulty_bvh, walk_bvh, walks
+
+
+@pytest.fixture
+def settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Settings:
+    monkeypatch.setenv("MANNER_DATA_DIRECTORY", str(tmp_path / "data"))
+    monkeypatch.setattr(samples.make, "__defaults__", (walks, lambda name: None))
+    return Settings()
+
+
+def run(*words: object) -> Result:
+    return CliRunner().invoke(app, [str(word) for word in words], env={"COLUMNS": "200"})
+
+
+def states(settings: Settings) -> dict[str, str]:
+    with Database(make_engine(settings.database)).reading() as db:
+        return {clip.name: clip.state for clip in db.scalars(select(ClipRecord))}
+
+
+def test_preparing_an_empty_folder_makes_everything_and_again_nothing(settings: Settings) -> None:
+    first = run("prepare")
+    assert first.exit_code == 0
+    assert set(states(settings)) == {sample.name for sample in walks()}
+    again = run("prepare")
+    assert again.exit_code == 0
+    assert "Making" not in again.output
+
+
+def test_nothing_works_on_an_unprepared_database_but_says_why(settings: Settings) -> None:
+    result = run("import", __file__)
+    assert result.exit_code == 1
+    assert "manner prepare" in result.output
+
+
+def test_one_bad_file_fails_the_command_but_not_the_other_files(
+    settings: Settings, tmp_path: Path
+) -> None:
+    run("prepare")
+    (tmp_path / "bad.bvh").write_bytes(faulty_bvh())
+    (tmp_path / "good.bvh").write_bytes(walk_bvh())
+    result = run("import", tmp_path / "bad.bvh", tmp_path / "good.bvh")
+    assert result.exit_code == 1
+    assert re.search(r"✗ bad\.bvh\s+Line \d+, column \d+", result.output)
+    assert "✓ good.bvh" in result.output
+    assert states(settings)["good"] == "to_confirm"
+    assert "bad" not in states(settings)
+
+
+def test_yes_confirms_what_was_guessed(settings: Settings, tmp_path: Path) -> None:
+    run("prepare")
+    (tmp_path / "walk.bvh").write_bytes(walk_bvh())
+    assert run("import", "--yes", tmp_path / "walk.bvh").exit_code == 0
+    assert states(settings)["walk"] == "kept"
+    again = run("import", tmp_path / "walk.bvh")
+    assert again.exit_code == 0
+    assert "is in the library already" in again.output
+
+
+def test_the_set_up_link_stands_whole_on_one_line(settings: Settings) -> None:
+    run("prepare")
+    output = run("set-up-link").output
+    assert re.search(r"^ +http://127\.0\.0\.1:8000/research/set-up/[\w-]{32}$", output, re.M)
+
+
+def test_the_openapi_document_is_printed_without_touching_a_database(settings: Settings) -> None:
+    result = run("openapi")
+    assert json.loads(result.stdout)["openapi"].startswith("3.")
+    assert not settings.data_directory.exists()
