@@ -20,6 +20,7 @@ from motion.figure.field import (
     Union,
 )
 from motion.figure.profile import FootRing, Ring
+from motion.rotations import rotate
 
 Array = NDArray[np.float64]
 
@@ -48,6 +49,26 @@ class Limb:
         return Frame(
             self.frame.world(np.array([0.0, self.upper + self.lower, 0.0])), self.frame.axes
         )
+
+
+@dataclass(frozen=True, eq=False)
+class Foot:
+    """A foot's frame on its sole, under the ankle: x left, y up, z forward.
+
+    Attributes:
+        frame: see above.
+        rings: its cross-sections, metres.
+        ball: how far the ball lies ahead of the ankle, metres.
+    """
+
+    frame: Frame
+    rings: tuple[FootRing, ...]
+    ball: float
+
+    @property
+    def tip(self) -> float:
+        """How far the toes' end lies ahead of the ankle, metres."""
+        return self.rings[-1].ahead
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,8 +124,7 @@ class Body:
         parts: by name: torso, head, and left_ and right_ yoke, arm, leg.
         arms: by side.
         legs: by side.
-        feet: by side: the foot's frame on its sole (x left, y up, z forward).
-        toe_ahead: by side: how far the ball lies ahead of the ankle, metres.
+        feet: by side.
         trunk: heights.
         pose: the bind pose that it stands in.
     """
@@ -113,8 +133,7 @@ class Body:
     parts: dict[str, Shape]
     arms: dict[str, Limb]
     legs: dict[str, Limb]
-    feet: dict[str, Frame]
-    toe_ahead: dict[str, float]
+    feet: dict[str, Foot]
     trunk: Trunk
     pose: BindPose
 
@@ -124,28 +143,27 @@ def make_body(pose: BindPose) -> Body:
     trunk = _trunk(pose)
     arms = {side: _arm(pose, side) for side in SIDES}
     legs = {side: _leg(pose, side) for side in SIDES}
-    feet, ahead = {}, {}
+    feet = {side: _foot(pose, side) for side in SIDES}
     parts: dict[str, Shape] = {}
     for side in SIDES:
-        feet[side], foot, ahead[side] = _foot(pose, side)
         parts[f"{side}_yoke"] = _shoulder(trunk, pose, side)
         parts[f"{side}_arm"] = _arm_shape(arms[side])
-        parts[f"{side}_leg"] = _leg_shape(legs[side], foot, trunk, side)
+        parts[f"{side}_leg"] = _leg_shape(legs[side], feet[side], trunk, side)
     parts["torso"] = _torso(trunk)
     parts["head"] = _head(pose)
-    return Body(_joined(parts), parts, arms, legs, feet, ahead, trunk, pose)
+    return Body(_joined(parts, pose.scale), parts, arms, legs, feet, trunk, pose)
 
 
-def _joined(parts: dict[str, Shape]) -> Shape:
+def _joined(parts: dict[str, Shape], scale: float) -> Shape:
     """Legs and arms are united among themselves first, then with the torso: thighs never web."""
-    legs = Union(parts["left_leg"], (parts["right_leg"], profile.BLEND_LEGS))
+    legs = Union(parts["left_leg"], (parts["right_leg"], profile.BLEND_LEGS * scale))
     arms = Union(parts["left_arm"], (parts["right_arm"], 0.0))
     return Union(
         parts["torso"],
-        (Union(parts["left_yoke"], (parts["right_yoke"], 0.0)), profile.BLEND_SHOULDER),
-        (arms, profile.BLEND_ARM),
-        (legs, profile.BLEND_LEG),
-        (parts["head"], profile.BLEND_HEAD),
+        (Union(parts["left_yoke"], (parts["right_yoke"], 0.0)), profile.BLEND_SHOULDER * scale),
+        (arms, profile.BLEND_ARM * scale),
+        (legs, profile.BLEND_LEG * scale),
+        (parts["head"], profile.BLEND_HEAD * scale),
     )
 
 
@@ -159,7 +177,7 @@ def _trunk(pose: BindPose) -> Trunk:
     )
     half = (np.array(left) - np.array(right))[:, 0] / 2.0
     usual = np.array([profile.HIP_HALF_WIDTH, profile.SHOULDER_HALF_WIDTH]) * pose.scale
-    extra = np.clip((half - usual) * np.array([0.9, 0.7]), -0.03, 0.055)
+    extra = np.clip((half - usual) * np.array([0.9, 0.7]), -0.03 * pose.scale, 0.055 * pose.scale)
     drawn = np.array([profile.HIP_HEIGHT, profile.SHOULDER_HEIGHT, profile.HEAD_HEIGHT])
     return Trunk(drawn, found, extra, pose.scale)
 
@@ -221,49 +239,70 @@ def _arm_shape(limb: Limb) -> Shape:
         curled = ring._replace(x=-curl, n=profile.HAND_EXPONENT)
         rings.append(_scaled(curled, wrist + ring.at * size, size))
     caps = 0.8 * rings[0].w, 0.3 * rings[-1].b
-    arm = Loft(limb.frame, rings, caps, soften=0.006)
+    arm = Loft(limb.frame, rings, caps, soften=0.027 * limb.girth[1])
     joints = [
         limb.end.world(np.array([-inward, -up, ahead]) * size)
         for inward, up, ahead in profile.THUMB
     ]
     radii = [radius * size for radius in profile.THUMB_RADII]
+    blend = profile.BLEND_HAND * size / (profile.HAND_LENGTH * profile.FOREARM_LENGTH)
     thumb = Union(
         RoundCone(joints[0], joints[1], (radii[0], radii[1])),
-        (RoundCone(joints[1], joints[2], (radii[1], radii[2])), 0.4 * profile.BLEND_HAND),
+        (RoundCone(joints[1], joints[2], (radii[1], radii[2])), 0.4 * blend),
     )
-    return Union(arm, (thumb, profile.BLEND_HAND))
+    return Union(arm, (thumb, blend))
 
 
-def _leg_shape(limb: Limb, foot: Shape, trunk: Trunk, side: str) -> Shape:
+def _leg_shape(limb: Limb, foot: Foot, trunk: Trunk, side: str) -> Shape:
     rings = _limb_rings(limb, profile.THIGH, profile.SHIN)
-    leg = Loft(limb.frame, rings, (1.5 * rings[0].w, 0.6 * rings[-1].w), 0.014)
+    leg = Loft(limb.frame, rings, (1.5 * rings[0].w, 0.6 * rings[-1].w), 0.014 * trunk.scale)
     seat = EllipsoidShape(
         Frame(trunk.point(side, profile.SEAT.centre), np.eye(3)),
         np.zeros(3),
         np.array(profile.SEAT.radii) * trunk.scale,
     )
-    return Union(leg, (seat, profile.SEAT.blend), (foot, profile.BLEND_FOOT))
+    edge = profile.SOLE_EDGE * trunk.scale
+    sole = FootShape(foot.frame, foot.rings, profile.FOOT_EXPONENT, edge)
+    return Union(
+        leg, (seat, profile.SEAT.blend * trunk.scale), (sole, profile.BLEND_FOOT * trunk.scale)
+    )
 
 
-def _foot(pose: BindPose, side: str) -> tuple[Frame, Shape, float]:
+def _foot(pose: BindPose, side: str) -> Foot:
     ankle = pose.place(f"{side}_foot")
     height = float(np.mean(list(pose.ankle_height.values())))
     ahead = profile.TOE_AHEAD * pose.scale
     if f"{side}_toes" in pose.roles:
         found = float((pose.place(f"{side}_toes") - ankle)[2])
         ahead = float(np.clip(found, 0.8 * ahead, 1.25 * ahead))
-    stretch = ahead / profile.TOE_AHEAD
     frame = Frame(ankle - np.array([0.0, height, 0.0]), np.eye(3))
-    rings = [
-        FootRing(r.ahead * stretch, r.w * pose.scale, r.top * height / profile.ANKLE_HEIGHT)
+    toes = _toe_stretch(pose, side) * pose.scale
+    lift = height / profile.ANKLE_HEIGHT
+    rings = tuple(
+        FootRing(
+            min(r.ahead, profile.TOE_AHEAD) * ahead / profile.TOE_AHEAD
+            + max(r.ahead - profile.TOE_AHEAD, 0.0) * toes,
+            r.w * pose.scale,
+            r.top * lift,
+        )
         for r in profile.FOOT
-    ]
-    shape = FootShape(frame, rings, profile.FOOT_EXPONENT, profile.SOLE_EDGE * pose.scale)
-    return frame, shape, ahead
+    )
+    return Foot(frame, rings, ahead)
+
+
+def _toe_stretch(pose: BindPose, side: str) -> float:
+    """Length of the toes over the profile's, from the skeleton's own tip where it has one."""
+    joint = pose.roles.get(f"{side}_toes", -1)
+    tips = [np.array(s.offset) for s in pose.skeleton.end_sites if s.joint == joint]
+    if not tips:
+        return 1.0
+    length = float(rotate(pose.rotations[joint], tips[0])[2])
+    usual = (profile.FOOT[-1].ahead - profile.TOE_AHEAD) * pose.scale
+    return float(np.clip(length / usual, 0.75, 1.15)) if length > 0.3 * usual else 1.0
 
 
 def _torso(trunk: Trunk) -> Shape:
-    shape = _trunk_loft(trunk, profile.TORSO, 0.5)
+    shape = _trunk_loft(trunk, profile.TORSO, profile.PELVIS_DEPTH)
     backs = [
         EllipsoidShape(
             Frame(trunk.point(side, profile.BACK.centre), np.eye(3)),
@@ -272,13 +311,15 @@ def _torso(trunk: Trunk) -> Shape:
         )
         for side in SIDES
     ]
-    neck = _trunk_loft(trunk, profile.NECK, 0.3)
+    neck = _trunk_loft(trunk, profile.NECK, 0.015)
     return Union(
-        shape, (Union(backs[0], (backs[1], 0.0)), profile.BACK.blend), (neck, profile.BLEND_NECK)
+        shape,
+        (Union(backs[0], (backs[1], 0.0)), profile.BACK.blend * trunk.scale),
+        (neck, profile.BLEND_NECK * trunk.scale),
     )
 
 
-def _trunk_loft(trunk: Trunk, source: Sequence[Ring], cap: float) -> Loft:
+def _trunk_loft(trunk: Trunk, source: Sequence[Ring], below: float) -> Loft:
     rings = []
     for ring in source:
         centre = trunk.centre(ring.at)
@@ -287,7 +328,12 @@ def _trunk_loft(trunk: Trunk, source: Sequence[Ring], cap: float) -> Loft:
         rings.append(
             sized._replace(w=wide, x=sized.x + float(centre[0]), z=sized.z + float(centre[2]))
         )
-    return Loft(Frame(np.zeros(3), np.eye(3)), rings, (cap * rings[0].f, cap * rings[-1].f), 0.016)
+    return Loft(
+        Frame(np.zeros(3), np.eye(3)),
+        rings,
+        (below * trunk.scale, 0.5 * rings[-1].f),
+        0.016 * trunk.scale,
+    )
 
 
 def _shoulder(trunk: Trunk, pose: BindPose, side: str) -> Shape:
@@ -305,10 +351,13 @@ def _head(pose: BindPose) -> Shape:
     origin = pose.place("head") + np.array([0.0, profile.HEAD_SHIFT * scale, 0.0])
     frame = Frame(origin, np.eye(3))
     shapes = [
-        (EllipsoidShape(frame, np.array(e.centre) * scale, np.array(e.radii) * scale), e.blend)
+        (
+            EllipsoidShape(frame, np.array(e.centre) * scale, np.array(e.radii) * scale),
+            e.blend * scale,
+        )
         for e in profile.HEAD
     ]
     ends = [frame.world(np.array(place) * scale) for place in profile.RIDGE]
     first, second = profile.RIDGE_RADII
     ridge = RoundCone(ends[0], ends[1], (first * scale, second * scale))
-    return Union(shapes[0][0], *shapes[1:], (ridge, profile.BLEND_RIDGE))
+    return Union(shapes[0][0], *shapes[1:], (ridge, profile.BLEND_RIDGE * scale))

@@ -31,7 +31,7 @@ def build_figure(clip: Clip) -> FigureMesh:
     body = make_body(pose)
     positions, normals, triangles = grow_surface(body)
     joints, weights = skin_weights(body, positions)
-    floor = float(np.mean([frame.origin[1] for frame in body.feet.values()]))
+    floor = float(np.mean([foot.frame.origin[1] for foot in body.feet.values()]))
     hip = (pose.place("left_thigh") + pose.place("right_thigh"))[1] / 2.0
     legs = np.mean([limb.upper + limb.lower for limb in body.legs.values()])
     ankle = np.mean(list(pose.ankle_height.values()))
@@ -61,6 +61,6 @@ def _sky(body: Body, positions: Array, normals: Array) -> Array:
     on dynamic scenes" (2006): where the field grows slower than the step, something is near.
     """
     lacking = np.zeros(len(positions))
-    for step in _LOOKOUT:
+    for step in _LOOKOUT * body.trunk.scale:
         lacking += np.maximum(step - body.whole.distance(positions + normals * step), 0.0) / step
     return np.clip(1.0 - 0.8 * lacking / len(_LOOKOUT), 0.0, 1.0)

@@ -20,7 +20,7 @@ from motion.figure.profile import FootRing, Ring
 
 Array = NDArray[np.float64]
 
-REACH = 0.1  # metres: beyond this a shape's value is its box's distance; above any blend's radius
+REACH = 0.12  # metres: beyond this a shape's value is its box's distance; above any blend's radius
 _SAMPLES = 1000
 _TINY = 1e-9
 

@@ -84,8 +84,9 @@ def make_grid(body: Body) -> Grid:
         limb = body.arms[side]
         size = profile.HAND_LENGTH * limb.girth[1]
         hands.append(limb.end.world(np.array([-0.04, 0.52, 0.06]) * size))
-        ahead = 0.75 * body.toe_ahead[side]
-        feet.append(body.feet[side].world(np.array([0.0, 0.035 * scale, ahead])))
+        foot = body.feet[side]
+        middle = (foot.rings[0].ahead + foot.tip) / 2.0
+        feet.append(foot.frame.world(np.array([0.0, 0.035 * scale, middle])))
     head = body.pose.place("head") + np.array([0.0, 0.085, 0.005]) * scale
     lenses = (*_pair(hands, _HAND, scale), *_pair(feet, _FOOT, scale), _lens(head, _HEAD, scale))
     low = np.min([lens.centre - lens.inner / lens.size for lens in lenses], axis=0) - _MARGIN

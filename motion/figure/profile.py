@@ -131,10 +131,9 @@ FOOT = (
 FOOT_EXPONENT = 2.2
 SOLE_EDGE = 0.012
 
+# Below its first ring the torso ends in half an ellipsoid, which thighs meet without a crease.
+PELVIS_DEPTH = 0.135
 TORSO = (
-    Ring(-0.078, 0.062, 0.046, 0.058, z=-0.01),
-    Ring(-0.052, 0.085, 0.064, 0.078, z=-0.008, n=2.05),
-    Ring(-0.015, 0.107, 0.077, 0.092, z=-0.006, n=2.15),
     Ring(0.035, 0.116, 0.083, 0.09, z=-0.004, n=2.2),
     Ring(0.095, 0.1165, 0.083, 0.082, n=2.2),
     Ring(0.16, 0.1165, 0.083, 0.079, z=0.002, n=2.15),
@@ -174,7 +173,7 @@ BLEND_HEAD = 0.03
 BLEND_SHOULDER = 0.075
 BLEND_ARM = 0.048
 BLEND_LEG = 0.064
-BLEND_LEGS = 0.075
+BLEND_LEGS = 0.06
 BLEND_FOOT = 0.034
 BLEND_HAND = 0.016
 BLEND_RIDGE = 0.022

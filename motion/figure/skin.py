@@ -141,11 +141,11 @@ def _add_leg(shares: _Shares, share: Array, points: Array, side: str) -> None:
     limb, scale = body.legs[side], body.trunk.scale
     along = limb.frame.local(points)[:, 1]
     knee = _band(limb.upper, profile.KNEE_BAND, scale, along)
-    foot = body.feet[side].local(points)
-    height = float((limb.end.origin - body.feet[side].origin)[1])
+    foot = body.feet[side].frame.local(points)
+    height = float((limb.end.origin - body.feet[side].frame.origin)[1])
     high, low = (value * height / profile.ANKLE_HEIGHT for value in profile.ANKLE_BAND)
     ankle = smoothstep(high, low, foot[:, 1])
-    toes = _band(body.toe_ahead[side], profile.TOE_BAND, scale, foot[:, 2])
+    toes = _band(body.feet[side].ball, profile.TOE_BAND, scale, foot[:, 2])
     inner = _inner_root(body, points)
     shares.add(share * inner, "hips")
     shares.add(share * (1 - inner) * (1 - knee), f"{side}_thigh")

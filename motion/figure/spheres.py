@@ -14,13 +14,14 @@ from motion.rotations import conjugate, rotate
 Array = NDArray[np.float64]
 
 # Where the balls lie: along each limb (fraction of the bone, radius as a fraction of its girth),
-# up the torso (height in the profile, outward, radius in metres at the profile's stature).
+# along the foot (fraction of the way to the ball), up the torso (height in the profile, outward);
+# of feet and torso the radius is in metres at the profile's stature.
 _THIGH = ((0.12, 0.17), (0.42, 0.165), (0.72, 0.13))
 _SHIN = ((0.02, 0.118), (0.3, 0.118), (0.62, 0.092), (0.9, 0.076))
 _UPPER_ARM = ((0.08, 0.2), (0.45, 0.16), (0.8, 0.13))
 _FOREARM = ((0.12, 0.14), (0.5, 0.12), (0.85, 0.09))
 _HAND = ((0.28, 0.15), (0.66, 0.14))
-_FOOT = ((-0.01, 0.034), (0.045, 0.034), (0.105, 0.028))
+_FOOT = ((-0.11, 0.034), (0.5, 0.032), (1.2, 0.025))
 _TORSO = (
     (-0.03, 0.045, 0.072),
     (0.07, 0.04, 0.078),
@@ -55,16 +56,16 @@ def soles(body: Body) -> tuple[Sole, ...]:
     """The outline of each sole; the part ahead of the ball belongs to the toes."""
     found = []
     for side in SIDES:
-        stretch = body.toe_ahead[side] / profile.TOE_AHEAD
+        shape = body.feet[side]
         foot = body.pose.carrier(f"{side}_foot")
         toes = body.pose.carrier(f"{side}_toes", f"{side}_foot")
-        for joint, rings in ((foot, profile.FOOT[:7]), (toes, profile.FOOT[6:])):
+        for joint, rings in ((foot, shape.rings[:7]), (toes, shape.rings[6:])):
             local = [
-                (sign * 0.85 * ring.w * body.trunk.scale, 0.0, ring.ahead * stretch)
+                (sign * 0.85 * ring.w, 0.0, ring.ahead)
                 for sign, order in ((1, 1), (-1, -1))
                 for ring in rings[::order]
             ]
-            points = _into(body, joint, body.feet[side].world(np.array(local)))
+            points = _into(body, joint, shape.frame.world(np.array(local)))
             found.append(Sole(joint, tuple((x, y, z) for x, y, z in points.tolist())))
     return tuple(found)
 
@@ -99,12 +100,12 @@ def _leg(body: Body, side: str) -> list[Sphere]:
         )
         for role, along, r in balls
     ]
-    stretch = body.toe_ahead[side] / profile.TOE_AHEAD
+    foot = body.feet[side]
     for ahead, radius in _FOOT:
-        role = f"{side}_toes" if ahead > profile.TOE_AHEAD else f"{side}_foot"
+        role = f"{side}_toes" if ahead > 1.0 else f"{side}_foot"
         joint = body.pose.carrier(role, f"{side}_foot")
         size = radius * body.trunk.scale
-        place = body.feet[side].world(np.array([0.0, size, ahead * stretch]))
+        place = foot.frame.world(np.array([0.0, size, ahead * foot.ball]))
         found.append(_sphere(body, joint, place, size, leg))
     return found
 

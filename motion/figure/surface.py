@@ -34,7 +34,7 @@ def grow_surface(body: Body) -> tuple[Array, Array, Indices]:
     normals = gradient(body.whole, positions)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
     triangles = _split(positions, normals, quads)
-    order = _ring_order(positions)
+    order = _ring_order(positions, _RING * body.trunk.scale)
     rank = np.empty_like(order)
     rank[order] = np.arange(len(order))
     return positions[order], normals[order], _sorted(rank[triangles])
@@ -89,9 +89,9 @@ def _split(positions: Array, normals: Array, quads: Indices) -> Indices:
     return np.concatenate([turned[:, [0, 1, 2]], turned[:, [0, 2, 3]]], axis=1).reshape(-1, 3)
 
 
-def _ring_order(positions: Array) -> Indices:
+def _ring_order(positions: Array, height: float) -> Indices:
     """An order in which neighbours in the file are neighbours on the body: it compresses well."""
-    ring = np.floor(positions[:, 1] / _RING)
+    ring = np.floor(positions[:, 1] / height)
     round_the_body = np.arctan2(positions[:, 2], positions[:, 0])
     return np.lexsort((round_the_body, ring))
 
