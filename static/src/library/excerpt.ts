@@ -23,7 +23,7 @@ export function excerpt(
   line: number,
   column: number | null,
   word = "",
-  width = 34,
+  width = 30,
 ): ExcerptLine[] {
   const faulty = context.find(([number]) => number === line)?.[1] ?? "";
   const start = faultStart(faulty, column, word);

@@ -39,7 +39,7 @@ export function failure(
       ${error?.mend ? html`<p class="quiet">${error.mend}</p>` : nothing}
       <div class="buttons">
         ${way
-          ? html`<button class="button primary" @click=${() => retry(way.options)}>${way.word}</button>`
+          ? html`<button class="button primary" data-first @click=${() => retry(way.options)}>${way.word}</button>`
           : nothing}
         <button class="button" @click=${leaveOut}>Leave it out</button>
       </div>
