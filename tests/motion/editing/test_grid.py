@@ -1,0 +1,70 @@
+"""The nine motions and what lies between them."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motion import MotionError
+from motion.editing.foot_repair import repair_feet
+from motion.editing.grid import LONGER, SHORTER, nine_motions
+from motion.editing.path_length import PathLength, change_path_length
+from motion.editing.timing import ADDED, EVEN, Timing, change_timing
+from motion.kinematics import forward_kinematics
+from tests.motion.editing.measures import bone_lengths
+
+ON_GRID = [(path, timing) for path in (0, 1, 2) for timing in (0, 1, 2)]
+
+
+@pytest.fixture(scope="module")
+def clip(samples):
+    return samples["acted_male_neutral"]
+
+
+@pytest.fixture(scope="module")
+def nine(clip):
+    return nine_motions(clip)
+
+
+@pytest.mark.parametrize(("path", "timing"), ON_GRID)
+def test_a_grid_point_is_its_own_motion(clip, nine, path, timing):
+    expected = clip
+    if path != 1:
+        gain = SHORTER if path == 0 else LONGER
+        expected = repair_feet(clip, change_path_length(clip, PathLength(gain)))
+    if timing != 1:
+        expected = change_timing(expected, Timing(EVEN if timing == 0 else ADDED))
+    ours = forward_kinematics(nine.at(path, timing)).positions
+    np.testing.assert_allclose(ours, forward_kinematics(expected).positions, atol=1e-9)
+
+
+def test_near_a_grid_point_the_motion_is_near_its_own(nine):
+    for path, timing in ON_GRID:
+        inward = (path + (1 - path) * 1e-6 if path != 1 else 1 + 1e-6, timing)
+        near = forward_kinematics(nine.at(*inward)).positions
+        np.testing.assert_allclose(
+            near, forward_kinematics(nine.at(path, timing)).positions, atol=1e-4
+        )
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.floats(0, 2), st.floats(0, 2))
+def test_the_order_of_interpolation_does_not_matter(nine, path, timing):
+    """Figure 28: first along one axis and then along the other, on the direction vectors."""
+    table = nine._directions
+    hat = lambda at: np.maximum(0, 1 - np.abs(np.arange(3) - at))  # noqa: E731  one formula, used twice
+    path_first = np.tensordot(hat(timing), np.tensordot(hat(path), table, 1), 1)
+    timing_first = np.tensordot(hat(path), np.tensordot(hat(timing), table.swapaxes(0, 1), 1), 1)
+    np.testing.assert_allclose(path_first, timing_first, atol=1e-12)
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.floats(0, 2), st.floats(0, 2))
+def test_every_point_keeps_the_bones(nine, clip, path, timing):
+    np.testing.assert_allclose(bone_lengths(nine.at(path, timing)), bone_lengths(clip), atol=1e-9)
+
+
+@pytest.mark.parametrize("point", [(-0.1, 1), (1, 2.1), (float("nan"), 1)])
+def test_outside_the_grid_there_is_nothing(nine, point):
+    with pytest.raises(MotionError, match="from 0 to 2"):
+        nine.at(*point)
