@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motion.clip import Clip
-from motion.rotations import rotate
+from motion.rotations import conjugate, multiply, rotate
 from motion.skeleton import Skeleton
 
 Array = NDArray[np.float64]
 
-# Frames handled at once: small enough for the working set of one joint to stay in the cache.
-_BLOCK = 2048
+# Frames handled at once: the rows of one joint stay in the cache, and do not lie a multiple of
+# 4 KiB apart, which would make them evict each other.
+_BLOCK = 640
 
 
 @dataclass(frozen=True)
@@ -39,17 +40,17 @@ def pose_to_world(skeleton: Skeleton, root_positions: Array, rotations: Array) -
         rotations: (T, J, 4) local, wxyz.
 
     Returns:
-        The pose; both arrays are views whose memory is ordered component, joint, time, because
+        The pose; both arrays are views whose memory is ordered joint, component, time, because
         each joint is worked on as contiguous rows of one component.
     """
     frames, joints = rotations.shape[:2]
-    positions = np.empty((3, joints, frames))
-    world = np.empty((4, joints, frames))
+    positions = np.empty((joints, 3, frames))
+    world = np.empty((joints, 4, frames))
+    solve = _Solver(skeleton, min(_BLOCK, frames)).solve
     for start in range(0, frames, _BLOCK):
         part = slice(start, min(start + _BLOCK, frames))
-        local = np.ascontiguousarray(rotations[part].transpose(2, 1, 0))
-        _solve_block(skeleton, root_positions[part].T, local, positions[:, :, part], world[:, :, part])
-    return WorldPose(positions.transpose(2, 1, 0), world.transpose(2, 1, 0))
+        solve(root_positions[part], rotations[part], positions[..., part], world[..., part])
+    return WorldPose(positions.transpose(2, 0, 1), world.transpose(2, 0, 1))
 
 
 def end_site_positions(skeleton: Skeleton, pose: WorldPose) -> Array:
@@ -59,51 +60,59 @@ def end_site_positions(skeleton: Skeleton, pose: WorldPose) -> Array:
     return pose.positions[:, joints] + rotate(pose.rotations[:, joints], offsets)
 
 
-def _solve_block(
-    skeleton: Skeleton, root: Array, local: Array, positions: Array, world: Array
-) -> None:
-    positions[:, 0] = root
-    world[:, 0] = local[:, 0]
-    scratch = np.empty((4, local.shape[2]))
-    for joint in range(1, len(skeleton)):
-        parent = int(skeleton.parents[joint])
-        turn = world[:, parent]
-        _multiply_rows(turn, local[:, joint], world[:, joint], scratch[0])
-        _place_rows(turn, skeleton.offsets[joint], positions[:, parent], positions[:, joint], scratch)
+class _Solver:
+    """Solves blocks of frames, joint by joint.
+
+    NumPy costs most by the call and by the pass over memory. Both a quaternion product a·b and a
+    rotated offset R(a)·v are sums of products of components, a₀b₀ … a₃b₃ and a₀a₀ … a₃a₃: one call
+    makes the sixteen products of a block, a small constant matrix sums them up.
+    """
+
+    def __init__(self, skeleton: Skeleton, block: int) -> None:
+        self.parents = skeleton.parents.tolist()
+        self.placements = np.einsum("rcp,jc->jrp", _ROTATION, skeleton.offsets)
+        self.local = np.empty((len(skeleton), 4, block))
+        self.squares = np.empty((4, 4, block))
+        self.products = np.empty((4, 4, block))
+
+    def solve(self, root: Array, rotations: Array, positions: Array, world: Array) -> None:
+        """Fill positions (J, 3, B) and world (J, 4, B) from root (B, 3) and rotations (B, J, 4)."""
+        count = len(root)
+        local = self.local[..., :count]
+        squares, products = self.squares[..., :count], self.products[..., :count]
+        flat_squares, flat_products = squares.reshape(16, count), products.reshape(16, count)
+        local[...] = rotations.transpose(1, 2, 0)
+        positions[0], world[0] = root.T, local[0]
+        before = -1
+        for joint in range(1, len(self.parents)):
+            parent = self.parents[joint]
+            turn = world[parent]
+            if parent != before:
+                np.multiply(turn[:, None], turn, out=squares)
+                before = parent
+            np.multiply(turn[:, None], local[joint], out=products)
+            np.matmul(_PRODUCT, flat_products, out=world[joint])
+            place = positions[joint]
+            np.matmul(self.placements[joint], flat_squares, out=place)
+            place += positions[parent]
 
 
-def _multiply_rows(a: Array, b: Array, out: Array, scratch: Array) -> None:
-    """Write the quaternion product a·b, all (4, T), row by row without temporary arrays."""
-    for row, terms in enumerate(_PRODUCT):
-        target = out[row]
-        np.multiply(a[terms[0][0]], b[terms[0][1]], out=target)
-        for left, right, sign in terms[1:]:
-            np.multiply(a[left], b[right], out=scratch)
-            (np.add if sign > 0 else np.subtract)(target, scratch, out=target)
+def _product_matrix() -> Array:
+    """(4, 16) matrix that sums the products a₀b₀ … a₃b₃ up to the quaternion a·b."""
+    one = np.eye(4)
+    return np.array([[multiply(a, b) for b in one] for a in one]).reshape(16, 4).T
 
 
-def _place_rows(turn: Array, offset: Array, parent: Array, out: Array, scratch: Array) -> None:
-    """Write parent + R(turn)·offset into out (3, T): offset + w·t + v × t with t = 2 v × offset."""
-    w, v = turn[0], turn[1:]
-    t = scratch[:3]
-    for axis in range(3):
-        b, c = (axis + 1) % 3, (axis + 2) % 3
-        np.multiply(v[b], 2.0 * offset[c], out=t[axis])
-        np.multiply(v[c], 2.0 * offset[b], out=scratch[3])
-        np.subtract(t[axis], scratch[3], out=t[axis])
-    for axis in range(3):
-        b, c = (axis + 1) % 3, (axis + 2) % 3
-        target = out[axis]
-        np.add(parent[axis], offset[axis], out=target)
-        for left, right, add in ((w, t[axis], True), (v[b], t[c], True), (v[c], t[b], False)):
-            np.multiply(left, right, out=scratch[3])
-            (np.add if add else np.subtract)(target, scratch[3], out=target)
+def _rotation_matrix() -> Array:
+    """(3, 3, 16) matrix that sums the products a₀a₀ … a₃a₃ up to the rotation matrix of a.
+
+    R(a) is quadratic in a, so its polarisation at two unit vectors gives their product's share.
+    """
+    one = np.eye(4)
+    pure = np.pad(np.eye(3), ((0, 0), (1, 0)))  # the axes as quaternions without a scalar part
+    parts = [[multiply(multiply(a, pure), conjugate(b))[:, 1:].T for b in one] for a in one]
+    return np.stack([part for row in parts for part in row], axis=-1)
 
 
-# Hamilton product by component: (left factor, right factor, sign); the first term is positive.
-_PRODUCT = (
-    ((0, 0, 1), (1, 1, -1), (2, 2, -1), (3, 3, -1)),
-    ((0, 1, 1), (1, 0, 1), (2, 3, 1), (3, 2, -1)),
-    ((0, 2, 1), (2, 0, 1), (3, 1, 1), (1, 3, -1)),
-    ((0, 3, 1), (3, 0, 1), (1, 2, 1), (2, 1, -1)),
-)
+_PRODUCT = _product_matrix()
+_ROTATION = _rotation_matrix()
