@@ -1,0 +1,298 @@
+"""The viewer by itself, from the built bundle, under the same content policy as on a page."""
+
+from __future__ import annotations
+
+import functools
+import http.server
+import json
+import threading
+from collections.abc import Callable, Iterator
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page, expect
+
+from motion.clip import Clip
+from motion.figure.build import build_figure
+from motion.glb import write_clip_glb, write_figure_glb
+from motion.kinematics import forward_kinematics
+from motion.procedural.library import sample_clips
+
+pytestmark = pytest.mark.browser
+
+DIST = Path(__file__).parents[2] / "static" / "dist"
+POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
+    "connect-src 'self' blob:; base-uri 'none'"
+)
+VIEWER = "document.querySelector('motion-viewer')"
+ONE = '<motion-viewer controls="{controls}" src="/clip0.glb" figure="/figure.glb"></motion-viewer>'
+STYLE = "body { margin: 0; background: #f4f3f0 } motion-viewer { height: 300px } "
+CARD = "motion-thumbnail { width: 100px; height: 110px; display: inline-block }"
+# Counts the contexts that draw; a probe that gives its context back at once is none of them.
+COUNT_CONTEXTS = """
+window.contexts = [];
+const original = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+  const context = original.call(this, kind, ...rest);
+  if (kind.startsWith("webgl") && context && !window.contexts.includes(context))
+    window.contexts.push(context);
+  return context;
+};
+"""
+NO_WEBGL = """
+const original = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+  return kind.startsWith("webgl") ? null : original.call(this, kind, ...rest);
+};
+"""
+
+Show = Callable[[str], Page]
+
+
+class _Handler(http.server.SimpleHTTPRequestHandler):
+    """Files of the temporary folder, and of the bundle under /static/."""
+
+    def translate_path(self, path: str) -> str:
+        if path.startswith("/static/"):
+            return str(DIST / path.removeprefix("/static/"))
+        return super().translate_path(path)
+
+    def end_headers(self) -> None:
+        self.send_header("Content-Security-Policy", POLICY)
+        super().end_headers()
+
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - the base's name
+        """Stay quiet."""
+
+
+@pytest.fixture(scope="module")
+def clips() -> list[Clip]:
+    """Two walks of one skeleton."""
+    return [sample.clip for sample in islice(sample_clips(), 2)]
+
+
+@pytest.fixture(scope="module")
+def site(clips: list[Clip], tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Path, str]]:
+    """A folder and the address under which it is served."""
+    folder = tmp_path_factory.mktemp("viewer")
+    for index, clip in enumerate(clips):
+        (folder / f"clip{index}.glb").write_bytes(write_clip_glb(clip))
+    (folder / "figure.glb").write_bytes(write_figure_glb(build_figure(clips[0])))
+    (folder / "page.css").write_text(STYLE + CARD)
+    (folder / "favicon.ico").write_bytes(b"")
+    handler = functools.partial(_Handler, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        yield folder, f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+        thread.join()
+
+
+@pytest.fixture
+def show(site: tuple[Path, str], page: Page) -> Show:
+    """Open a page with some markup and the viewer's script."""
+    folder, address = site
+    manifest = json.loads((DIST / ".vite" / "manifest.json").read_text())
+    script = manifest["src/entries/viewer.ts"]["file"]
+    page.set_viewport_size({"width": 400, "height": 420})
+
+    def show(markup: str) -> Page:
+        (folder / "page.html").write_text(
+            '<!doctype html><html lang="en" data-theme="light"><meta charset="utf-8"><title>Viewer'
+            f'</title><link rel="stylesheet" href="/page.css"><body>{markup}'
+            f'<script type="module" src="/static/{script}"></script></body></html>'
+        )
+        page.goto(f"{address}/page.html")
+        return page
+
+    return show
+
+
+def _until(page: Page, expression: str) -> None:
+    """Wait for a condition. The page's policy forbids what Playwright's own way evaluates."""
+    for _ in range(1200):
+        if page.evaluate(expression):
+            return
+        page.wait_for_timeout(25)
+    pytest.fail(f"never came true: {expression}")
+
+
+def _ready(page: Page) -> None:
+    _until(
+        page,
+        "[...document.querySelectorAll('motion-viewer')].every((viewer) => viewer.duration > 0)",
+    )
+
+
+def _get(page: Page, expression: str) -> object:
+    return page.evaluate(f"{VIEWER}.{expression}")
+
+
+def test_the_figure_stands_exactly_where_its_motion_says(show: Show, clips: list[Clip]) -> None:
+    page = show(ONE.format(controls="none"))
+    _ready(page)
+    world = forward_kinematics(clips[0]).positions
+    for frame in (0, clips[0].frames // 3, clips[0].frames - 2):
+        seconds = frame * clips[0].frame_time
+        shown = page.evaluate(
+            f"{VIEWER}.seek({seconds}), [...{VIEWER}.figures[0].jointPositions()]"
+        )
+        assert np.abs(np.reshape(shown, (-1, 3)) - world[frame]).max() < 1e-3
+
+
+def test_between_two_frames_the_figure_is_between_them(show: Show, clips: list[Clip]) -> None:
+    page = show(ONE.format(controls="none"))
+    _ready(page)
+    world = forward_kinematics(clips[0]).positions
+    seconds = 7.5 * clips[0].frame_time
+    shown = page.evaluate(f"{VIEWER}.seek({seconds}), [...{VIEWER}.figures[0].jointPositions()]")
+    assert np.abs(np.reshape(shown, (-1, 3)) - (world[7] + world[8]) / 2).max() < 2e-3
+
+
+def test_several_figures_keep_step_in_one_context(
+    show: Show, page: Page, clips: list[Clip]
+) -> None:
+    page.add_init_script(COUNT_CONTEXTS)
+    figures = "".join(
+        f'<motion-figure as="{role}" label="{role}" src="/clip{index}.glb"></motion-figure>'
+        for index, role in enumerate(("reference", "judged"))
+    )
+    show(f'<motion-viewer controls="none" figure="/figure.glb">{figures}</motion-viewer>')
+    _ready(page)
+    seconds = 5 * clips[0].frame_time
+    page.evaluate(f"{VIEWER}.seek({seconds})")
+    for index, clip in enumerate(clips):
+        shown = page.evaluate(f"[...{VIEWER}.figures[{index}].jointPositions()]")
+        frame = round(seconds / clip.frame_time)
+        world = forward_kinematics(clip).positions[frame]
+        assert np.abs(np.reshape(shown, (-1, 3)) - world).max() < 1e-3
+    assert page.evaluate("contexts.filter((context) => !context.isContextLost()).length") == 1
+    expect(page.get_by_text("judged")).to_be_visible()
+
+
+def test_viewers_and_thumbnails_of_a_page_share_one_context(show: Show, page: Page) -> None:
+    page.add_init_script(COUNT_CONTEXTS)
+    card = '<motion-thumbnail src="/clip1.glb" figure="/figure.glb"></motion-thumbnail>'
+    show(ONE.format(controls="none") + 3 * card)
+    _ready(page)
+    _until(
+        page,
+        "[...document.querySelectorAll('motion-thumbnail')].every((thumbnail) => {"
+        "  const canvas = thumbnail.shadowRoot.querySelector('canvas');"
+        "  const { width, height } = canvas;"
+        "  const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);"
+        "  return data.some((value) => value > 0); })",
+    )
+    assert page.evaluate("contexts.filter((context) => !context.isContextLost()).length") == 1
+
+
+def test_the_keyboard_reaches_everything(show: Show, clips: list[Clip]) -> None:
+    page = show(ONE.format(controls="full"))
+    _ready(page)
+    frame_time, duration = clips[0].frame_time, clips[0].duration
+    page.get_by_role("application").focus()
+    page.keyboard.press("Space")
+    assert _get(page, "paused") is False
+    page.keyboard.press("Space")
+    assert _get(page, "paused") is True
+    page.keyboard.press("Home")
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Shift+ArrowRight")
+    assert _get(page, "currentTime") == pytest.approx(11 * frame_time)
+    page.keyboard.press("ArrowLeft")
+    assert _get(page, "currentTime") == pytest.approx(10 * frame_time)
+    page.keyboard.press("End")
+    assert _get(page, "currentTime") == pytest.approx(duration)
+    page.keyboard.press("]")
+    assert _get(page, "speed") == 1.5
+    looping = _get(page, "loop")
+    page.keyboard.press("l")
+    assert _get(page, "loop") is not looping
+    page.keyboard.press("Alt+ArrowLeft")
+    assert _get(page, "cameraMoved") is True
+    page.keyboard.press("0")
+    _until(page, f"!{VIEWER}.cameraMoved")
+    assert _get(page, "statistics.cameraMoves") == 2
+
+
+def test_a_participant_cannot_change_the_pace_of_what_is_judged(show: Show) -> None:
+    page = show(ONE.format(controls="simple"))
+    _ready(page)
+    page.get_by_role("application").focus()
+    looping = _get(page, "loop")
+    for key in ("]", "[", "l"):
+        page.keyboard.press(key)
+    assert (_get(page, "speed"), _get(page, "loop")) == (1, looping)
+
+
+def test_dragging_turns_the_view_and_is_counted_once(show: Show) -> None:
+    page = show(ONE.format(controls="simple"))
+    _ready(page)
+    page.mouse.move(200, 120)
+    page.mouse.down()
+    page.mouse.move(260, 120, steps=5)
+    page.mouse.up()
+    assert (_get(page, "cameraMoved"), _get(page, "statistics.cameraMoves")) == (True, 1)
+    page.get_by_role("button", name="Reset the view").click()
+    _until(page, f"!{VIEWER}.cameraMoved")
+
+
+def test_scrubbing_with_the_keyboard_steps_by_frames(show: Show, clips: list[Clip]) -> None:
+    page = show(ONE.format(controls="simple"))
+    _ready(page)
+    slider = page.get_by_role("slider", name="Place in the motion")
+    slider.focus()
+    page.keyboard.press("ArrowRight")
+    assert _get(page, "currentTime") == pytest.approx(clips[0].frame_time)
+
+
+def test_nothing_is_drawn_while_paused(show: Show) -> None:
+    page = show(ONE.format(controls="none"))
+    _ready(page)
+    page.evaluate(f"{VIEWER}.play()")
+    _until(page, f"{VIEWER}.statistics.frames > 3")
+    page.evaluate(f"{VIEWER}.pause()")
+    two_frames = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    page.evaluate(two_frames)
+    before = _get(page, "statistics.frames")
+    for _ in range(10):
+        page.evaluate(two_frames)
+    assert _get(page, "statistics.frames") == before
+
+
+def test_a_motion_that_does_not_arrive_is_said_and_can_be_asked_for_again(
+    show: Show, site: tuple[Path, str]
+) -> None:
+    folder, _ = site
+    page = show('<motion-viewer src="/late.glb" figure="/figure.glb"></motion-viewer>')
+    expect(page.get_by_text("The motion did not arrive")).to_be_visible()
+    (folder / "late.glb").write_bytes((folder / "clip0.glb").read_bytes())
+    page.get_by_role("button", name="Try again").click()
+    _ready(page)
+    expect(page.get_by_text("The motion did not arrive")).to_be_hidden()
+
+
+def test_a_browser_without_webgl_says_so_and_what_helps(show: Show, page: Page) -> None:
+    page.add_init_script(NO_WEBGL)
+    page.add_init_script(
+        "document.addEventListener('unsupported', () => { window.told = true }, true);"
+    )
+    show(ONE.format(controls="simple"))
+    expect(page.get_by_text("The figure cannot be drawn here.")).to_be_visible()
+    assert page.evaluate("window.told") is True
+
+
+def test_the_page_s_policy_is_kept_and_nothing_is_complained_about(show: Show, page: Page) -> None:
+    said: list[str] = []
+    page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    show(ONE.format(controls="full"))
+    _ready(page)
+    page.evaluate(f"{VIEWER}.play()")
+    _until(page, f"{VIEWER}.statistics.frames > 3")
+    # Chromium itself remarks on slow reads of pixels without a graphics card.
+    assert [line for line in said if "GPU stall due to ReadPixels" not in line] == []
