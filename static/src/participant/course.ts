@@ -1,32 +1,19 @@
 // Where a person stands in the study: which trials are answered, with what, and which one comes now.
 
-import type { Answer, Outbox } from "../outbox";
-import { blank, same, type Form, type Parameters } from "../trials/semantic_differential";
+import type { components } from "../api-types";
+import type { Outbox } from "../outbox";
+import { blank, same, type Form } from "../trials/semantic_differential";
 import { NOTHING_YET, type Attention } from "./clock";
 import type { Store } from "./store";
 
-export interface Trial {
-  index: number;
-  glb_url: string;
-  figure_url: string | null;
-  cyclic: boolean;
-}
-
-export interface StoredAnswer {
-  revision: number;
-  answers: Record<string, number>;
-  comment: string;
-  touched?: string[];
-}
-
+type Schemas = components["schemas"];
 /** A session as the server tells it. */
-export interface Session {
-  study: Parameters & { title: string };
-  state: "active" | "complete" | "withdrawn";
-  trials: Trial[];
-  responses: Record<string, StoredAnswer>;
-  next: number;
-}
+export type Session = Schemas["SessionView"];
+export type Trial = Schemas["TrialView"];
+/** An answer as it is handed in. */
+export type GivenAnswer = Schemas["Answer"];
+/** An answer that is known here; the server does not tell which scales were touched. */
+export type StoredAnswer = Schemas["ResponseView"] & { touched?: string[] };
 
 /** How the clip was watched; counts and milliseconds, summed over reloads within the trial. */
 export interface Viewing {
@@ -40,13 +27,6 @@ export interface Draft {
   form: Form;
   attention: Attention;
   viewing: Viewing;
-}
-
-export interface GivenAnswer extends Answer, Form {
-  rt_ms: number;
-  time_elapsed_ms: number;
-  client_time: string;
-  record: Record<string, unknown>;
 }
 
 /** What goes with the form when it is handed in. */
