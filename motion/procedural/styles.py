@@ -116,7 +116,10 @@ AFFECTS: dict[str, Style] = {
 }  # fmt: skip
 
 # Förger's ten acted emotions; distinct from the circle's because they also stand and knock.
+# The neutral one leads: a body's figure learns its joints' axes from its first clip, and learns
+# them best where the arms hang.
 ACTED: dict[str, Style] = {
+    "neutral": NEUTRAL,
     "afraid": CHARACTERS["timid"].but(
         cadence=112, stride=0.92, stance=0.65, hesitation=0.45, head_pitch=8, head_bob=2,
         knee_bend=12, elbow=116, arm_forward=10, arm_turn=34, lean=4, wrist=26,
@@ -124,7 +127,6 @@ ACTED: dict[str, Style] = {
     "angry": CHARACTERS["angry"],
     "excited": AFFECTS["excitement"],
     "happy": AFFECTS["pleasure"].but(cadence=116, bounce=1.55, arm_swing=54, side_lean=3),
-    "neutral": NEUTRAL,
     "relaxed": AFFECTS["contentment"].but(cadence=92, lean=-1, sway=0.065, elbow=16, toe_out=11),
     "sad": CHARACTERS["sad"],
     "strong": NEUTRAL.but(
