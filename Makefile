@@ -54,6 +54,10 @@ format: .venv/.test-ready ## Format the Python code and mend what can be mended
 bench: .venv/.bench-ready static/dist/.ready browser ## Measure speed beside peers: one table
 	@HOME=$(CACHE)/home $(BIN)/python -m tests.bench $(BENCH_ARGS)
 
+.PHONY: pictures
+pictures: .venv/.test-ready static/dist/.ready browser ## Take the documentation's pictures anew
+	@HOME=$(CACHE)/home $(BIN)/python -m tests.support.pictures
+
 .PHONY: clean
 clean: ## Remove what was built and installed; the data folder stays
 	rm -rf .venv .cache static/dist static/node_modules build *.egg-info .mypy_cache .ruff_cache \

@@ -79,6 +79,12 @@ def server(prepared_data: Path, tmp_path: Path) -> Iterator[Server]:
 @pytest.fixture
 def research_page(server: Server, page: Page) -> Page:
     """A page whose user has set the server up and is signed in as its researcher."""
+    set_up_researcher(page, server)
+    return page
+
+
+def set_up_researcher(page: Page, server: Server) -> None:
+    """Follow the set-up link and make the first researcher's account."""
     page.goto(server.set_up_link)
     page.get_by_label("Name").fill("A Researcher")
     page.get_by_label("Email").fill(EMAIL)
@@ -86,4 +92,3 @@ def research_page(server: Server, page: Page) -> Page:
         field.fill(PASSWORD)
     page.locator("form button[type=submit]").first.click()
     page.wait_for_url("**/research**")
-    return page
