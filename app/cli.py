@@ -31,7 +31,7 @@ def prepare() -> None:
     """Bring the database to its newest form and make the sample library. Safe to repeat."""
     database = Database(make_engine(Settings().database))
     with _progress() as progress:
-        task = progress.add_task("Making the sample library", total=None, visible=False)
+        task = progress.add_task("Making motions", total=None, visible=False)
         preparation.prepare(database, lambda _: progress.update(task, advance=1, visible=True))
 
 

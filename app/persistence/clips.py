@@ -43,6 +43,26 @@ def put(db: Session, clip: ClipRecord) -> ClipRecord:
     return stored
 
 
+def imported_by_others(db: Session, engine_version: str) -> list[str]:
+    """The imported clips whose files another version of the engine has made."""
+    query = select(ClipRecord.id).where(
+        ClipRecord.source == "imported", ClipRecord.engine_version != engine_version
+    )
+    return list(db.scalars(query.order_by(ClipRecord.name)))
+
+
+def renew(db: Session, clip_id: str, glb: bytes, poster_time: float, engine_version: str) -> None:
+    """Put newer files in the place of a clip's older ones; a clip deleted meanwhile stays so."""
+    clip = by_id(db, clip_id)
+    if clip is None:
+        return
+    replaced = _files(clip)
+    clip.glb_blob = blobs.put(db, glb, blobs.GLB)
+    clip.poster_time = poster_time
+    clip.engine_version = engine_version
+    blobs.delete_orphans(db, replaced - _files(clip))
+
+
 def delete(db: Session, clip: ClipRecord) -> None:
     """Delete a clip and the files that nothing else needs."""
     db.delete(clip)

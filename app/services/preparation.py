@@ -22,8 +22,11 @@ def prepare(database: Database, on_progress: Callable[[str], None]) -> None:
     with database.reading() as db:
         ready = clips.has_samples_of(db, engine_version())
     if not ready:
-        from app.services import samples  # brings SciPy along, which takes longer than all else
+        # They bring SciPy along, which takes longer to load than all else here.
+        from app.services import renewal, samples
 
+        # The samples come last: they are the mark that this engine has prepared everything.
+        renewal.renew_imported(database, on_progress)
         samples.make(database, on_progress=on_progress)
     with database.writing() as db:
         studies.ensure_demonstration(db)

@@ -8,7 +8,7 @@ import pytest
 from sqlalchemy import func, select
 
 from app.persistence.engine import Database
-from app.persistence.models import Base
+from app.persistence.models import Base, Study
 from app.services import imports
 from tests.app.conftest import Researching
 from tests.support.motions import faulty_bvh, walk, walk_bvh
@@ -134,6 +134,18 @@ def test_a_deleted_clip_takes_its_files_along(signed_in: Researching, database: 
     assert after["clips"] == empty["clips"]
     assert after["blobs"] - empty["blobs"] == after["figures"] - empty["figures"]  # figures stay
     assert signed_in.client.get(clip["glb_url"]).status_code == 404
+
+
+def test_a_clip_that_a_study_shows_stays(signed_in: Researching, database: Database) -> None:
+    clip = signed_in.upload("walk.bvh", walk_bvh()).json()["clip"]
+    with database.writing() as db:
+        shown = {"stimuli": [{"clip": clip["id"]}]}
+        db.add(Study(slug="s", title="S", definition=shown, definition_hash="0" * 64))
+        db.commit()
+    refused = signed_in.delete(f"/api/v1/clips/{clip['id']}")
+    assert refused.status_code == 409
+    assert refused.json()["error"]["code"] == "clip_in_use"
+    assert signed_in.client.get(clip["glb_url"]).status_code == 200
 
 
 def test_options_come_along_with_the_file(signed_in: Researching) -> None:

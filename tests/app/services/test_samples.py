@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 from sqlalchemy import Engine, select
 
-from app.persistence import clips
+from app.persistence import blobs, clips
 from app.persistence.engine import Database
 from app.persistence.models import ClipRecord
-from app.services import clip_files, library, samples
+from app.services import clip_files, imports, library, renewal, samples
 from app.services.engine_version import engine_version
 from motion.kinematics import forward_kinematics
 from motion.storage import clip_from_bytes
-from tests.support.motions import walk, walks
+from tests.support.motions import walk, walk_bvh, walks
 
 
 @pytest.fixture
@@ -54,6 +54,30 @@ def test_samples_of_an_older_engine_leave_the_library_but_not_the_database(
     assert [states[sample.name] for sample in walks()] == ["kept", "kept", "retired"]
     with database.reading() as db:
         assert len(clips.listed(db, imported=True)) == 2
+
+
+def test_an_imported_clip_gets_new_files_from_a_newer_engine_and_stays_the_same_motion(
+    database: Database, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clip_id = imports.import_file(database, "walk.bvh", walk_bvh()).clip.id
+    before = records(database)["walk"]
+    assert renewal.renew_imported(database) == 0
+    with database.reading() as db:
+        old_figure = clips.figure(db, before.skeleton_hash)
+    for module in (renewal, library):
+        monkeypatch.setattr(module, "engine_version", lambda: "newer")
+    monkeypatch.setattr(clip_files, "write_clip_glb", lambda clip: b"glTF of the newer engine")
+    monkeypatch.setattr(clip_files, "write_figure_glb", lambda figure: b"glTF of a newer figure")
+    assert renewal.renew_imported(database) == 1
+    after = records(database)["walk"]
+    with database.reading() as db:
+        new_figure = clips.figure(db, after.skeleton_hash)
+        assert blobs.content(db, after.glb_blob) == b"glTF of the newer engine"
+        assert blobs.content(db, before.glb_blob) is None
+    assert new_figure.glb_blob != old_figure.glb_blob
+    assert (after.id, after.clip_blob, after.state) == (clip_id, before.clip_blob, before.state)
+    assert after.report == before.report
+    assert renewal.renew_imported(database) == 0
 
 
 def test_a_fault_while_making_them_leaves_none(database: Database) -> None:
