@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Words = NDArray[np.uint64]
 Index = NDArray[np.intp]
+Bytes = NDArray[np.uint8]
 
 _BLOCK = 1 << 17  # bytes handled at once: the block's words stay in the processor's cache
 _PAD = 16  # bytes before the text, so that sixteen characters before any number's end exist
@@ -31,6 +32,8 @@ _KEEP_LAST = np.array(
     np.uint64,
 )
 _POWERS = 10.0 ** np.arange(23)  # all exact
+_NEGATIVE = np.uint8(16)
+_SIGNED_POWERS = np.concatenate([_POWERS[:16], -_POWERS[:16]])
 _LARGEST_EXACT = np.uint64(1 << 53)
 
 
@@ -38,11 +41,11 @@ def _words(*values: int) -> tuple[np.uint64, ...]:
     return tuple(np.uint64(value) for value in values)
 
 
-_1, _4, _7, _8, _15, _16, _32, _255 = _words(1, 4, 7, 8, 15, 16, 32, 255)
+_1, _4, _8, _16, _32, _255 = _words(1, 4, 8, 16, 32, 255)
 _PAIRS, _PAIR_MASK = _words(2561, 0x00FF00FF00FF00FF)  # 10 · 2⁸ + 1
 _FOURS, _FOUR_MASK = _words(6553601, 0x0000FFFF0000FFFF)  # 100 · 2¹⁶ + 1
 _EIGHTS = np.uint64(42949672960001)  # 10⁴ · 2³² + 1
-_HUNDRED_MILLION = np.uint64(10**8)
+_HIGH_PLACES = np.array([10**8, 10**7], np.uint64)  # of digits before eight without, with a dot
 
 
 class BadNumberError(ValueError):
@@ -125,11 +128,12 @@ class _Block:
         if self.bytes.min() < ord("\t"):  # a control character is no white space
             space &= self.bytes >= ord("\t")
         exponent = (self.bytes | 0x20) == ord("e")
-        if exponent[0] or not exponent.any():
-            self._split(space)
-            parts = _read_parts(self.words, self.bytes, self.starts, self.ends, self.base)
-            return self._finish(parts, parts.decimals.astype(np.intp))
-        return self._values_with_exponents(space, exponent)
+        exponent[0] = False
+        if exponent.any():
+            return self._values_with_exponents(space, exponent)
+        self._split(space)
+        parts = _read_parts(self.words, self.bytes, self.starts, self.ends, self.base)
+        return self._mend(parts.values(), parts.irregular)
 
     def _split(self, separator: NDArray[np.bool_]) -> None:
         separator[0] = True
@@ -142,40 +146,34 @@ class _Block:
     ) -> Floats:
         """Read mantissas and exponents as numbers of their own, then join them."""
         self._split(space | exponent)
-        index = np.flatnonzero(exponent[self.starts - 1])
-        joined = index[(index > 0)]
-        touching = self.ends[joined - 1] == self.starts[joined] - 1
-        if (
-            len(joined) != np.count_nonzero(exponent)
-            or not touching.all()
-            or (np.diff(index) < 2).any()
-        ):
+        powers = np.flatnonzero(exponent[self.starts - 1])
+        if not self._join_mantissas(powers, int(np.count_nonzero(exponent))):
             self._split(space)  # an "e" that belongs to no number: find the culprit one by one
             return self._read_singly()
         parts = _read_parts(self.words, self.bytes, self.starts, self.ends, self.base)
-        power = np.where(parts.negative, -1, 1) * np.minimum(parts.digits, _HUNDRED_MILLION).astype(
-            np.intp
-        )
-        down = parts.decimals.astype(np.intp)
-        down[joined - 1] -= power[joined]
-        parts.irregular[joined - 1] |= parts.irregular[joined] | parts.dotted[joined]
-        self.ends[joined - 1] = self.ends[joined]
-        keep = np.ones(len(self.starts), bool)
-        keep[joined] = False
+        values, irregular = parts.values(), parts.irregular
+        mantissas = powers - 1
+        down = parts.decimals[mantissas].astype(np.intp)
+        down -= np.clip(values[powers], -99, 99).astype(np.intp)
+        values[mantissas] = parts.scaled(mantissas, down)
+        irregular[mantissas] |= irregular[powers] | (parts.dots[powers] > 0) | (abs(down) > 22)
+        keep = np.ones(len(values), bool)
+        keep[powers] = False
+        self.ends[mantissas] = self.ends[powers]
         self.starts, self.ends = self.starts[keep], self.ends[keep]
-        return self._finish(parts.select(keep), down[keep])
+        return self._mend(values[keep], irregular[keep])
 
-    def _finish(self, parts: _Parts, down: Index) -> Floats:
-        """Digits / 10^down with the sign; what is not exact that way is read singly."""
-        irregular = parts.irregular | (parts.digits > _LARGEST_EXACT) | (np.abs(down) > 22)
-        magnitude = parts.digits.astype(np.float64)
-        if down.min(initial=0) < 0:
-            magnitude *= _POWERS[np.clip(-down, 0, 22)]
-        magnitude /= _POWERS[np.clip(down, 0, 22)]
-        np.negative(magnitude, out=magnitude, where=parts.negative)
+    def _join_mantissas(self, powers: Index, exponents: int) -> bool:
+        """Whether each "e" stands between a mantissa and its power."""
+        if len(powers) != exponents or powers[0] == 0 or (np.diff(powers) < 2).any():
+            return False
+        return bool((self.ends[powers - 1] == self.starts[powers] - 1).all())
+
+    def _mend(self, values: Floats, irregular: NDArray[np.bool_]) -> Floats:
+        """The values, those that do not fit the quick way read one by one."""
         for token in np.flatnonzero(irregular):
-            magnitude[token] = self._read_one(int(token))
-        return magnitude
+            values[token] = self._read_one(int(token))
+        return values
 
     def _read_singly(self) -> Floats:
         return np.array([self._read_one(token) for token in range(len(self.starts))])
@@ -198,17 +196,24 @@ class _Parts:
 
     negative: NDArray[np.bool_]
     digits: Words
-    decimals: NDArray[np.uint8]
-    dotted: NDArray[np.bool_]
+    decimals: Bytes
+    dots: Bytes
     irregular: NDArray[np.bool_]
 
-    def select(self, keep: NDArray[np.bool_]) -> _Parts:
-        return _Parts(*(getattr(self, name)[keep] for name in self.__dataclass_fields__))
+    def values(self) -> Floats:
+        """Digits over a power of ten that has the sign."""
+        divisor = _SIGNED_POWERS[self.decimals + _NEGATIVE * self.negative]
+        return self.digits.astype(np.float64) / divisor
+
+    def scaled(self, tokens: Index, down: Index) -> Floats:
+        """Some tokens' digits / 10^down, right where |down| ≤ 22."""
+        magnitude = self.digits[tokens].astype(np.float64)
+        magnitude *= _POWERS[np.clip(-down, 0, 22)]
+        magnitude /= _POWERS[np.clip(down, 0, 22)]
+        return np.where(self.negative[tokens], -magnitude, magnitude)
 
 
-def _read_parts(
-    words: Words, text: NDArray[np.uint8], starts: Index, ends: Index, base: int
-) -> _Parts:
+def _read_parts(words: Words, text: Bytes, starts: Index, ends: Index, base: int) -> _Parts:
     first = text[starts]
     negative = first == ord("-")
     length = ends - starts
@@ -221,18 +226,15 @@ def _read_parts(
         high, more, high_dots, high_bad = _squeeze(
             words[ends[long] + (base - 16)], length[long] - 8
         )
-        digits[long] += _eight_digits(high) * np.where(
-            dots[long] > 0, _HUNDRED_MILLION // np.uint64(10), _HUNDRED_MILLION
-        )
+        digits[long] += _eight_digits(high) * _HIGH_PLACES[dots[long]]
         decimals[long] += high_dots * (8 + more)
-        dots[long] += high_dots
-        bad[long] |= high_bad | (dots[long] > 1) | (length[long] > 16)
-    return _Parts(negative, digits, decimals, dots > 0, bad)
+        bad[long] |= high_bad | (dots[long] + high_dots > 1) | (length[long] > 16)
+        bad[long] |= digits[long] > _LARGEST_EXACT
+        dots[long] |= high_dots
+    return _Parts(negative, digits, decimals, dots, bad)
 
 
-def _squeeze(
-    word: Words, length: Index
-) -> tuple[Words, NDArray[np.uint8], NDArray[np.uint8], NDArray[np.bool_]]:
+def _squeeze(word: Words, length: Index) -> tuple[Words, Bytes, Bytes, NDArray[np.bool_]]:
     """Words whose last ``length`` characters count: digits with the dot squeezed out.
 
     Returns:
@@ -242,14 +244,14 @@ def _squeeze(
     word = (word ^ _ZEROS) & _KEEP_LAST[np.minimum(length, 8)]
     dot = word & _DOT_BIT
     dot &= ~dot + _1
-    word ^= (dot << _1) - (dot >> _1 >> _1 >> _1)  # a dot, 0x1e by now, becomes 0
-    below = (dot >> _4) - _1
+    unit = dot >> _4  # 1 at the dot's byte
+    word ^= (dot << _1) - (unit << _1)  # a dot, 0x1e by now, becomes 0
     dots = np.bitwise_count(dot)
-    bad = word & ((dot << _4) - (dot >> _4))
-    word = (word & ~below) | ((word & below) << (dots.astype(np.uint64) << np.uint64(3)))
+    below = unit - dots  # all bits before the dot, none without one
+    bad = word & ((dot << _4) - unit)
+    word += (word & below) * _255  # moves what stands before the dot onto it
     bad |= ((word + _OVER_NINE) | word) & _HIGH
-    decimals = 8 - dots - (np.bitwise_count(below) >> 3)
-    return word, decimals, dots, bad != 0
+    return word, 7 * dots - (np.bitwise_count(below) >> 3), dots, bad != 0
 
 
 def _eight_digits(word: Words) -> Words:
