@@ -9,17 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motion.figure import profile
-from motion.figure.bind import SIDES, BindPose
+from motion.figure.bind import BindPose
 from motion.figure.field import (
+    Above,
     EllipsoidShape,
-    FootShape,
     Frame,
     Loft,
     RoundCone,
     Shape,
     Union,
+    foot_loft,
 )
 from motion.figure.profile import FootRing, Ring
+from motion.figure.reference import SIDES
 from motion.rotations import rotate
 
 Array = NDArray[np.float64]
@@ -262,15 +264,19 @@ def _leg_shape(limb: Limb, foot: Foot, trunk: Trunk, side: str) -> Shape:
         np.array(profile.SEAT.radii) * trunk.scale,
     )
     edge = profile.SOLE_EDGE * trunk.scale
-    sole = FootShape(foot.frame, foot.rings, profile.FOOT_EXPONENT, edge)
-    return Union(
+    sole = foot_loft(foot.frame, foot.rings, profile.FOOT_EXPONENT, edge)
+    joined = Union(
         leg, (seat, profile.SEAT.blend * trunk.scale), (sole, profile.BLEND_FOOT * trunk.scale)
     )
+    return Above(joined, foot.frame, edge)
 
 
 def _foot(pose: BindPose, side: str) -> Foot:
     ankle = pose.place(f"{side}_foot")
-    height = float(np.mean(list(pose.ankle_height.values())))
+    # One floor for both soles, even where one leg is a little longer.
+    ankles = [float(pose.place(f"{each}_foot")[1]) for each in SIDES]
+    floor = float(np.mean(ankles) - np.mean(list(pose.ankle_height.values())))
+    height = float(ankle[1]) - floor
     ahead = profile.TOE_AHEAD * pose.scale
     if f"{side}_toes" in pose.roles:
         found = float((pose.place(f"{side}_toes") - ankle)[2])

@@ -218,30 +218,32 @@ class RoundCone:
         return result
 
 
-class FootShape:
-    """Rings along z of a frame whose origin lies on the sole, under the ankle; flat at y = 0."""
+def foot_loft(frame: Frame, rings: Sequence[FootRing], exponent: float, edge: float) -> Loft:
+    """Rings along z of a frame whose origin lies on the sole, under the ankle.
 
-    def __init__(
-        self, frame: Frame, rings: Sequence[FootRing], exponent: float, edge: float
-    ) -> None:
-        self.edge = edge
-        # The loft runs along its own y, so the foot's forward becomes y and its up −z.
-        turn = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-        self.frame = frame
-        sections = []
-        for ring in rings:
-            widest = 0.3 * ring.top  # where a section is widest, above the floor
-            below = widest + 1.6 * edge
-            sections.append(
-                Ring(ring.ahead, ring.w, below, ring.top - widest, 0.0, -widest, exponent)
-            )
-        ends = 0.9 * edge, 0.7 * edge
-        self.loft = Loft(Frame(frame.origin, frame.axes @ turn), sections, ends, 0.4 * edge)
+    It bulges below the sole, for ``Above`` to cut it flat with an edge rounded by ``edge``.
+    """
+    # The loft runs along its own y, so the foot's forward becomes y and its up −z.
+    turn = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+    sections = []
+    for ring in rings:
+        widest = 0.3 * ring.top  # where a section is widest, above the floor
+        below = widest + 1.6 * edge
+        sections.append(Ring(ring.ahead, ring.w, below, ring.top - widest, 0.0, -widest, exponent))
+    ends = 0.9 * edge, 0.7 * edge
+    return Loft(Frame(frame.origin, frame.axes @ turn), sections, ends, 0.4 * edge)
+
+
+class Above:
+    """What of a shape lies above y = 0 of a frame, the cut's edge rounded."""
+
+    def __init__(self, shape: Shape, frame: Frame, edge: float) -> None:
+        self.shape, self.frame, self.edge = shape, frame, edge
 
     def distance(self, points: Array) -> Array:
         """Signed distances (N,) of points (N, 3), metres."""
-        under = -self.frame.local(points)[:, 1]
-        return -smooth_min(-self.loft.distance(points), -under, self.edge)
+        above = self.frame.local(points)[:, 1]
+        return -smooth_min(-self.shape.distance(points), above, self.edge)
 
 
 def gradient(shape: Shape, points: Array, step: float = 5e-4) -> Array:

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motion.figure import profile
-from motion.figure.bind import SIDES
 from motion.figure.body import Body
+from motion.figure.reference import SIDES
 
 Array = NDArray[np.float64]
 

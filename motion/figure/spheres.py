@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motion.figure import profile
-from motion.figure.bind import SIDES
 from motion.figure.body import SIGN, Body
 from motion.figure.mesh import Sole, Sphere
+from motion.figure.reference import SIDES
 from motion.rotations import conjugate, rotate
 
 Array = NDArray[np.float64]

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from motion.figure.field import (
+    Above,
     EllipsoidShape,
-    FootShape,
     Frame,
     Loft,
     RoundCone,
     Union,
+    foot_loft,
     gradient,
     smooth_min,
 )
@@ -76,7 +77,7 @@ def test_a_smooth_union_lies_below_both_and_at_most_a_quarter_of_its_radius():
 
 
 def test_a_sole_is_flat_where_it_stands():
-    foot = FootShape(WORLD, FOOT, FOOT_EXPONENT, SOLE_EDGE)
+    foot = Above(foot_loft(WORLD, FOOT, FOOT_EXPONENT, SOLE_EDGE), WORLD, SOLE_EDGE)
     x, z = np.meshgrid(np.linspace(-0.015, 0.015, 7), np.linspace(-0.03, 0.15, 30))
     sole = np.stack([x.ravel(), np.zeros(x.size), z.ravel()], axis=1)
     assert np.abs(foot.distance(sole)).max() < 1e-6
