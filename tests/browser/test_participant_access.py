@@ -118,14 +118,13 @@ def test_a_clip_that_is_slow_to_come_is_announced_and_taken_when_it_comes(
     page.goto(server.url + STUDY)
     page.get_by_role("checkbox").check()
     page.wait_for_load_state("networkidle")
-    page.route("**/media/*.glb", held.append)
+    page.route("**/media/*.glb", lambda route: held.append(route), times=1)
     page.get_by_role("button", name="Begin").click()
     expect(page.get_by_text("The next clip is on its way")).to_be_visible()
     expect(page.get_by_role("button", name="Ask for it again")).to_be_visible(timeout=15_000)
     expect(page.locator(".next")).to_be_disabled()
-    page.unroute("**/media/*.glb")
-    for route in held:
-        route.continue_()
+    (route,) = held
+    route.continue_()
     expect(page.locator(".next")).to_be_enabled(timeout=60_000)
 
 
@@ -149,7 +148,7 @@ def test_every_step_can_be_hit_with_a_finger(page: Page, server: Server):
 def test_the_trial_page_weighs_little_without_figure_clips_and_fonts(page: Page, server: Server):
     link = begin(page, server)
     responses = []
-    page.on("response", responses.append)
+    page.on("response", lambda response: responses.append(response))
     page.goto(link)
     expect(page.locator(".next")).to_be_enabled(timeout=60_000)
     page.wait_for_load_state("networkidle")

@@ -23,18 +23,18 @@ export function savedMark({ waiting, offline }: Line, answered: number): Templat
 }
 
 /** Above the figure while the line is down or the server has refused an answer. */
-export function lineNote({ waiting, offline, refusal }: Line): TemplateResult {
+export function lineNote({ waiting, offline, refusal }: Line, onward = "You can carry on."): TemplateResult {
   return html`<div class="line-note" role="status">${
-    refusal ? refused(refusal) : offline ? noConnection(waiting) : nothing
+    refusal ? refused(refusal) : offline ? noConnection(waiting, onward) : nothing
   }</div>`;
 }
 
-function noConnection(waiting: number): TemplateResult {
+function noConnection(waiting: number, onward: string): TemplateResult {
   const kept = waiting
     ? `${count(waiting)} ${waiting === 1 ? "is" : "are"} kept on this device and ${
         waiting === 1 ? "goes out by itself" : "go out by themselves"}.`
     : "What you answered has arrived.";
-  return html`<p class="note">${icon("cloud")}<span><strong>No connection.</strong> ${kept} You can carry on.</span></p>`;
+  return html`<p class="note">${icon("cloud")}<span><strong>No connection.</strong> ${kept} ${onward}</span></p>`;
 }
 
 function refused(error: ApiError): TemplateResult {
@@ -61,8 +61,8 @@ export function sending(line: Line, again: () => void): TemplateResult {
     : waiting === 1 ? "One moment, the last answer is being sent" : "One moment, your answers are being counted";
   return html`<div class="sending">
     <h1>${title}</h1>
-    <p class="lead">Your code appears here as soon as they have arrived. Please keep this page open.</p>
-    ${lineNote(line)}
+    <p class="lead">Your code appears here as soon as everything has arrived. Please keep this page open.</p>
+    ${lineNote(line, "")}
     ${refusal ? html`<button class="button" type="button" @click=${again}>Send again</button>` : nothing}
   </div>`;
 }

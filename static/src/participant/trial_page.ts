@@ -291,7 +291,7 @@ export class TrialPage extends LitElement {
   }
 
   #footer(index: number, length: number): TemplateResult {
-    return html`<footer class="panel-footer">
+    return html`<footer class="panel-footer ${this.fetched ? "resting" : ""}">
       <button class="button quiet back" type="button" ?hidden=${index === 0} ?disabled=${!this.ready}
         @click=${() => this.#back()}>${icon("back")} Back</button>
       <button class="button primary next" type="submit" ?disabled=${!this.ready}>
