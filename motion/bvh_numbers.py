@@ -41,7 +41,7 @@ def _words(*values: int) -> tuple[np.uint64, ...]:
     return tuple(np.uint64(value) for value in values)
 
 
-_1, _4, _8, _16, _32, _255 = _words(1, 4, 8, 16, 32, 255)
+_DOT, _4, _8, _16, _32, _255 = _words(0x30 ^ ord("."), 4, 8, 16, 32, 255)
 _PAIRS, _PAIR_MASK = _words(2561, 0x00FF00FF00FF00FF)  # 10 · 2⁸ + 1
 _FOURS, _FOUR_MASK = _words(6553601, 0x0000FFFF0000FFFF)  # 100 · 2¹⁶ + 1
 _EIGHTS = np.uint64(42949672960001)  # 10⁴ · 2³² + 1
@@ -157,11 +157,15 @@ class _Block:
         down -= np.clip(values[powers], -99, 99).astype(np.intp)
         values[mantissas] = parts.scaled(mantissas, down)
         irregular[mantissas] |= irregular[powers] | (parts.dots[powers] > 0) | (abs(down) > 22)
+        self.ends[mantissas] = self.ends[powers]
         keep = np.ones(len(values), bool)
         keep[powers] = False
-        self.ends[mantissas] = self.ends[powers]
-        self.starts, self.ends = self.starts[keep], self.ends[keep]
-        return self._mend(values[keep], irregular[keep])
+        if irregular.any():
+            self.ends, irregular = self.ends[keep], irregular[keep]
+        else:
+            irregular = irregular[:0]
+        self.starts = self.starts[keep]
+        return self._mend(values[keep], irregular)
 
     def _join_mantissas(self, powers: Index, exponents: int) -> bool:
         """Whether each "e" stands between a mantissa and its power."""
@@ -237,25 +241,40 @@ def _read_parts(words: Words, text: Bytes, starts: Index, ends: Index, base: int
 def _squeeze(word: Words, length: Index) -> tuple[Words, Bytes, Bytes, NDArray[np.bool_]]:
     """Words whose last ``length`` characters count: digits with the dot squeezed out.
 
+    Works in place wherever it can: fresh memory costs more than the arithmetic.
+
     Returns:
         Eight digit values a word; how many digits follow the dot; 1 where there is a dot; where
         a character is neither digit nor dot.
     """
-    word = (word ^ _ZEROS) & _KEEP_LAST[np.minimum(length, 8)]
-    dot = word & _DOT_BIT
-    dot &= ~dot + _1
-    unit = dot >> _4  # 1 at the dot's byte
-    word ^= (dot << _1) - (unit << _1)  # a dot, 0x1e by now, becomes 0
-    dots = np.bitwise_count(dot)
-    below = unit - dots  # all bits before the dot, none without one
-    bad = word & ((dot << _4) - unit)
-    word += (word & below) * _255  # moves what stands before the dot onto it
-    bad |= ((word + _OVER_NINE) | word) & _HIGH
-    return word, 7 * dots - (np.bitwise_count(below) >> 3), dots, bad != 0
+    word ^= _ZEROS
+    word &= _KEEP_LAST[np.minimum(length, 8)]
+    unit = word & _DOT_BIT
+    unit &= np.negative(unit)
+    unit >>= _4  # 1 at the first dot's byte
+    word ^= unit * _DOT  # a dot becomes 0
+    dots = np.bitwise_count(unit)
+    bad = unit * _255
+    bad &= word
+    unit -= dots  # all bits before the dot, none without one
+    before = word & unit
+    before *= _255
+    word += before  # moves what stands before the dot onto it
+    before = word + _OVER_NINE
+    before |= word
+    before &= _HIGH
+    bad |= before
+    return word, 7 * dots - (np.bitwise_count(unit) >> 3), dots, bad != 0
 
 
 def _eight_digits(word: Words) -> Words:
-    """The number whose decimal digits are a word's bytes, the first in the lowest byte."""
-    word = (word * _PAIRS) >> _8
-    word = ((word & _PAIR_MASK) * _FOURS) >> _16
-    return ((word & _FOUR_MASK) * _EIGHTS) >> _32
+    """The number whose decimal digits are a word's bytes, the first lowest; in place."""
+    word *= _PAIRS
+    word >>= _8
+    word &= _PAIR_MASK
+    word *= _FOURS
+    word >>= _16
+    word &= _FOUR_MASK
+    word *= _EIGHTS
+    word >>= _32
+    return word
