@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import hypothesis
 import pytest
 from sqlalchemy import Engine, create_engine, make_url, text
 from sqlalchemy.orm import Session
@@ -23,6 +24,10 @@ from app.persistence.engine import Database, make_engine
 from app.settings import Settings
 
 ROOT = Path(__file__).parents[1]
+
+# No time limit in tests: a slow moment of the machine is no fault of the code.
+hypothesis.settings.register_profile("manner", deadline=None)
+hypothesis.settings.load_profile("manner")
 
 
 @pytest.fixture(scope="session")

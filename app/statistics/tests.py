@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy import stats
+from scipy import special
 
 from app.statistics.intervals import present
 
@@ -55,7 +55,7 @@ def paired(a: ArrayLike, b: ArrayLike) -> TTest | None:
 def _two_sided(difference: float, error: float, df: float) -> TTest:
     # Not by SciPy's own tests: they warn of every group whose answers are all the same.
     t = difference / error
-    return TTest(t=t, df=df, p=float(2 * stats.t.sf(abs(t), df)), difference=difference)
+    return TTest(t=t, df=df, p=float(2 * special.stdtr(df, -abs(t))), difference=difference)
 
 
 def holm(p_values: Sequence[float | None]) -> list[float | None]:
