@@ -134,39 +134,46 @@ def ingest(
     """
     options = options or IngestOptions()
     file = read_bvh(data, limits=limits, fill_gaps=options.fill_gaps, frame_time=options.frame_time)
-    notes = list(file.notes)
-    questions: list[Note] = []
+    repairs, questions = list(file.notes), list[Note]()
     motion = local_motion(file, _choose_root(file, options, questions))
-    motion, merged = merge_root(_without_first_frame(motion, options, notes))
+    motion, merged = merge_root(_without_first_frame(motion, options, repairs))
     baked, folded = bake(motion)
-    notes += merged + folded
-    raw = _raw_clip(file, motion, baked, notes)
+    repairs += merged + folded
+    raw = _raw_clip(file, motion, baked, repairs)
     guess = _roles(raw, options)
-    up = _choose_up(raw, guess, options, questions)
-    rough = stature(raw.skeleton, guess.roles)
-    unit, name, likely = _choose_unit(rough, options)
-    settled = _settle(_convert(raw, guess.roles, up, unit), rough * unit)
+    scale = _choose_scale(raw, guess, options, questions)
+    settled = _settle(_convert(raw, guess.roles, scale), scale.stature * scale.unit)
+    questions += _questions(settled, scale) + [Note(text, offer="roles") for text in guess.notes]
+    report = _report(settled, scale, guess.missing, repairs, questions)
+    return Ingested(settled.clip, replace(report, bake_error=baked.error * scale.unit))
+
+
+def _report(
+    settled: _Settled,
+    scale: _Scale,
+    missing: tuple[str, ...],
+    repairs: list[Note],
+    questions: list[Note],
+) -> ImportReport:
     clip = settled.clip
-    questions += _questions(settled, likely, f"Read as {name}, {up} up.")
-    questions += [Note(text, offer="roles") for text in guess.notes]
-    report = ImportReport(
-        repairs=tuple(notes),
+    names = clip.skeleton.names
+    return ImportReport(
+        repairs=tuple(repairs),
         questions=tuple(questions),
-        unit=unit,
-        unit_name=name,
-        up_axis=up,
+        unit=scale.unit,
+        unit_name=scale.unit_name,
+        up_axis=scale.up_axis,
         stature=settled.stature,
         lowest_foot=settled.lowest_foot,
         heading=settled.heading,
-        roles={role: clip.skeleton.names[joint] for role, joint in clip.skeleton.roles.items()},
-        missing_roles=guess.missing,
-        joint_names=clip.skeleton.names,
+        roles={role: names[joint] for role, joint in clip.skeleton.roles.items()},
+        missing_roles=missing,
+        joint_names=names,
         frames=clip.frames,
         frame_time=clip.frame_time,
         duration=clip.duration,
-        bake_error=baked.error * unit,
+        bake_error=0.0,
     )
-    return Ingested(clip, report)
 
 
 def _choose_root(file: BvhFile, options: IngestOptions, questions: list[Note]) -> int:
@@ -242,6 +249,29 @@ def _roles(raw: Clip, options: IngestOptions) -> RoleGuess:
     return RoleGuess({role: roles[role] for role in ROLES if role in roles}, ())
 
 
+@dataclass(frozen=True)
+class _Scale:
+    """What the file's numbers mean: its up axis, metres per unit, and the stature in its units."""
+
+    up_axis: str
+    unit: float
+    unit_name: str
+    likely: bool
+    stature: float
+
+
+def _choose_scale(
+    raw: Clip, guess: RoleGuess, options: IngestOptions, questions: list[Note]
+) -> _Scale:
+    up = _choose_up(raw, guess, options, questions)
+    height = stature(raw.skeleton, guess.roles)
+    if options.unit is None:
+        return _Scale(up, *guess_unit(height), height)
+    if not (np.isfinite(options.unit) and options.unit > 0):
+        raise MotionError(f"The unit must be above 0 m, not {options.unit}.")
+    return _Scale(up, options.unit, unit_name(options.unit), True, height)
+
+
 def _choose_up(raw: Clip, guess: RoleGuess, options: IngestOptions, questions: list[Note]) -> str:
     if options.up_axis is not None:
         if options.up_axis not in AXES:
@@ -256,21 +286,12 @@ def _choose_up(raw: Clip, guess: RoleGuess, options: IngestOptions, questions: l
     return up
 
 
-def _choose_unit(height: float, options: IngestOptions) -> tuple[float, str, bool]:
-    """(metres per unit, the unit's name, whether it is likely) for a stature in file units."""
-    if options.unit is None:
-        return guess_unit(height)
-    if not (np.isfinite(options.unit) and options.unit > 0):
-        raise MotionError(f"The unit must be above 0 m, not {options.unit}.")
-    return options.unit, unit_name(options.unit), True
-
-
-def _convert(raw: Clip, roles: Mapping[str, int], up: str, unit: float) -> Clip:
+def _convert(raw: Clip, roles: Mapping[str, int], scale: _Scale) -> Clip:
     """The clip in metres with y up; rest pose and motion are turned alike."""
-    matrix = turn_up(up)
+    matrix, unit = turn_up(scale.up_axis), scale.unit
     turn = from_matrix(matrix)
     rotations = raw.rotations
-    if up != "y":
+    if scale.up_axis != "y":
         rotations = multiply(multiply(turn, rotations), conjugate(turn))
     sites = tuple(
         EndSite(site.joint, _triple(matrix @ np.array(site.offset) * unit))
@@ -346,10 +367,11 @@ def _starts_with_jump(clip: Clip) -> bool:
     return bool(steps[0] > _JUMP and steps[0] > 3 * steps[1:].max())
 
 
-def _questions(settled: _Settled, likely: bool, read: str) -> list[Note]:
+def _questions(settled: _Settled, scale: _Scale) -> list[Note]:
+    read = f"Read as {scale.unit_name}, {scale.up_axis} up."
     if not settled.stature:
         questions = [Note(f"How tall is the figure? {read}", offer="unit")]
-    elif likely:
+    elif scale.likely:
         questions = [Note(f"Is the figure {settled.stature:.2f} m tall? {read}", offer="unit")]
     else:
         text = f"Is the figure {settled.stature:.2f} m tall? No known unit fits. {read}"
