@@ -39,7 +39,8 @@ def best_clip(
 
 def extremes(left: tuple[str, str, float], right: tuple[str, str, float]) -> str:
     """Which clip lies nearest to each pole of an axis: (pole, clip's label, mean) of either."""
-    told = [
-        f"“{label}” nearest to {pole} (M = {number(mean)})" for pole, label, mean in (left, right)
-    ]
-    return f"On average {told[0]}, {told[1]}."
+    (left_pole, leftmost, low), (right_pole, rightmost, high) = left, right
+    return (
+        f"On average “{leftmost}” was nearest to {left_pole} (M = {number(low)}) and "
+        f"“{rightmost}” to {right_pole} (M = {number(high)})."
+    )

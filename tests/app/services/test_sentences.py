@@ -23,6 +23,13 @@ def test_what_is_not_significant_is_not_claimed():
     assert "p = .071 after" in told
 
 
+def test_an_axis_is_told_by_its_two_ends():
+    assert sentences.extremes(("sad", "sad, female", -1.464), ("happy", "happy, male", 1.5)) == (
+        "On average “sad, female” was nearest to sad (M = −1.46) and “happy, male” to happy "
+        "(M = 1.50)."
+    )
+
+
 @pytest.mark.parametrize(
     ("p", "told"),
     [(0.0009, "< .001"), (0.001, "= .001"), (0.0449, "= .045"), (0.9994, "= .999"), (1, "= 1.000")],
