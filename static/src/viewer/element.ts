@@ -1,11 +1,9 @@
 /** `<motion-viewer>`: shows motions on a small stage and lets a person look, play and turn. */
-import { Vector3 } from "three";
 import { loadBody } from "./assets";
 import { PRESETS, type Preset } from "./camera";
 import { fetchPerformers, wantedFigures, type Wanted } from "./casting";
 import { Controls, type Playable } from "./controls";
 import { make } from "./dom";
-import { standingClip } from "./figure";
 import { handleKey, listenToPointer } from "./input";
 import { Legend } from "./legend";
 import { looks } from "./looks";
@@ -13,6 +11,7 @@ import { failureMessage, loadingMessage, PATIENCE_MS, unsupportedMessage } from 
 import { Player } from "./player";
 import { Surface } from "./renderer";
 import { Stage } from "./stage";
+import { standingClip } from "./standing";
 import { Statistics, type Tier, type ViewingStatistics } from "./statistics";
 import { viewerStyles } from "./styles";
 import { hasWebGL } from "./support";
@@ -162,13 +161,6 @@ export class MotionViewer extends HTMLElement implements Playable {
     return this.counts.report(this.tier);
   }
 
-  /** Where a point of the stage (metres; y up, the disc's centre at 0) is seen: px from left and top. */
-  project(x: number, y: number, z: number): { x: number; y: number } | null {
-    if (!this.stage || !this.loaded) return null;
-    const seen = this.stage.orbit.project(new Vector3(x, y, z));
-    return { x: seen.x, y: seen.y };
-  }
-
   get cameraMoved(): boolean {
     return this.stage?.orbit.moved ?? false;
   }
@@ -214,6 +206,11 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.stage?.orbit.flyTo(PRESETS[preset], wantsStillness());
     this.counts.countCameraMove();
     this.request();
+  }
+
+  /** Where a point of the stage (metres) is seen: pixels from the upper left, null before `ready`. */
+  project(x: number, y: number, z: number): { x: number; y: number } | null {
+    return this.stage && this.loaded ? this.stage.project(x, y, z) : null;
   }
 
   private get isStatic(): boolean {
@@ -290,11 +287,12 @@ export class MotionViewer extends HTMLElement implements Playable {
     const usual = height < PHONE_STAGE ? PHONE_PAD : padControls;
     const legend = this.legend.element.hidden ? 0 : 24;
     const views = this.controls?.views ? 44 : 0;
+    const words = (this.overlay.firstElementChild as HTMLElement | null)?.offsetHeight ?? 0;
     this.stage.setFrame({
       width,
       height,
       top: (bare ? 12 : padTop) + Math.max(legend, views),
-      bottom: bare ? 12 : Math.max(usual, bar + 4),
+      bottom: Math.max(bare ? 12 : usual, bar + 4, words),
       side: 8,
     });
     const ratio = this.tier === "plain" ? Math.min(devicePixelRatio, 1.5) : devicePixelRatio;
@@ -337,7 +335,7 @@ export class MotionViewer extends HTMLElement implements Playable {
     const message = loadingMessage();
     const showPale = async () => {
       if (!current()) return;
-      this.overlay.replaceChildren(message.element);
+      this.say(message.element);
       const body = await loadBody(wanted[0]!.figure);
       if (!current() || this.loaded) return;
       this.stage?.cast([{ body, clip: standingClip(body), role: "original", ghost: "loading" }]);
@@ -381,8 +379,15 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.request();
   }
 
+  /** Puts words under the stage, which makes room for them. */
+  private say(message: HTMLElement): void {
+    this.overlay.replaceChildren(message);
+    this.layOut();
+  }
+
   private fail(error: Error): void {
-    this.overlay.replaceChildren(failureMessage(error, () => this.reload()));
+    this.stage?.cast([]);
+    this.say(failureMessage(error, () => this.reload()));
     this.tell("error", { message: error.message });
   }
 

@@ -2,7 +2,7 @@
 import { Bone, Group, Matrix4, Skeleton, SkinnedMesh, Vector3, Vector4 } from "three";
 import type { Body, SolePoint } from "./body";
 import { LIMBS } from "./body";
-import { MotionClip, type Pose } from "./clip";
+import type { MotionClip, Pose } from "./clip";
 import { Disc } from "./ground";
 import type { FigureRole, GhostKind, Mode } from "./looks";
 import { Clay, ghostDepthMaterial } from "./material";
@@ -64,9 +64,7 @@ export class Figure {
     this.bones.filter((bone) => !bone.parent).forEach((bone) => this.moving.add(bone));
     this.group.add(this.moving);
     this.group.position.x = options.place;
-    this.disc = options.ghost && options.ghost !== "loading"
-      ? null
-      : new Disc(options.discRadius, this.spheres, this.soles, options.key, options.tier);
+    this.disc = this.makeDisc();
     if (this.disc) this.group.add(this.disc.mesh);
   }
 
@@ -134,6 +132,13 @@ export class Figure {
     return new Clay({ spheres: this.spheres, counts, key, tier, ghost });
   }
 
+  /** A ghost stands on another's disc; a figure still awaited has one of its own, without shade. */
+  private makeDisc(): Disc | null {
+    const { ghost, discRadius, key, tier } = this.options;
+    if (ghost === "loading") return new Disc(discRadius, [], [], key, tier);
+    return ghost ? null : new Disc(discRadius, this.spheres, this.soles, key, tier);
+  }
+
   private skinned(material: SkinnedMesh["material"]): SkinnedMesh {
     const mesh = new SkinnedMesh(this.body.geometry, material);
     mesh.frustumCulled = false;
@@ -141,19 +146,6 @@ export class Figure {
     this.moving.add(mesh);
     return mesh;
   }
-}
-
-/** A body standing in its bind pose: what is shown before its motion has arrived. */
-export function standingClip(body: Body): MotionClip {
-  return new MotionClip({
-    names: body.joints.map((joint) => joint.name),
-    parents: Int16Array.from(body.joints, (joint) => joint.parent),
-    offsets: Float32Array.from(body.joints.flatMap((joint) => joint.translation)),
-    rotations: Float32Array.from(body.joints.flatMap((joint) => joint.rotation)),
-    roots: Float32Array.from(body.joints[0]!.translation),
-    frameTime: 1 / 30,
-    cyclic: false,
-  });
 }
 
 function makeBones(body: Body): Bone[] {

@@ -1,5 +1,6 @@
 /** The page's one WebGL context. A lone view shows its canvas; several views get copies of it. */
-import { Vector4, WebGLRenderer, NoToneMapping, type Camera, type Scene } from "three";
+import { NoToneMapping, Vector4, WebGLRenderer, type Camera, type Scene } from "three";
+import { tierChooser } from "./tier";
 
 export const MOST_PIXEL_RATIO = 2;
 
@@ -71,7 +72,8 @@ export class SharedRenderer {
 
   constructor() {
     this.renderer = new WebGLRenderer({
-      antialias: true,
+      // Where the processor draws, smooth edges would cost a third of the frames.
+      antialias: tierChooser().tier === "full",
       alpha: true,
       powerPreference: "high-performance",
     });

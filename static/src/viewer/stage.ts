@@ -95,7 +95,13 @@ export class Stage {
   /** Where a label belongs: above each figure that has a place of its own, in CSS pixels. */
   labelPlaces(): number[] {
     const top = this.subject().high;
-    return this.places.map((place) => this.orbit.project(this.point.set(place, top, 0)).x);
+    return this.places.map((place) => this.project(place, top, 0).x);
+  }
+
+  /** Where a point (metres) is seen: CSS pixels from the upper left of the stage. */
+  project(x: number, y: number, z: number): { x: number; y: number } {
+    const seen = this.orbit.project(this.point.set(x, y, z));
+    return { x: seen.x, y: seen.y };
   }
 
   dispose(): void {
