@@ -3,14 +3,13 @@
 
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { live } from "lit/directives/live.js";
 import { api, ApiError } from "../api";
-import { icon } from "../icons";
 import { Outbox } from "../outbox";
 import { blank, choose, type Form } from "../trials/semantic_differential";
 import { NOTHING_YET, TrialClock } from "./clock";
 import { Course, UNWATCHED, type Draft, type GivenAnswer, type Session, type StoredAnswer } from "./course";
 import { brand } from "./brand";
+import { comment, footer } from "./panel";
 import { elapsedSince, measures, sum, watched, type Viewer } from "./measures";
 import { clipOnItsWay, lineNote, otherTab, savedMark, sending, stuck, type Line } from "./notices";
 import { claimSession } from "./one_tab";
@@ -35,8 +34,9 @@ export class TrialPage extends LitElement {
   @state() private clip = "";
   @state() private figure = "";
   /** The current trial's files are there; the viewer does the rest. */
-  @state() private fetched = false;
-  @state() private ready = false;
+  @state() fetched = false;
+  /** Answers are taken. */
+  @state() ready = false;
   @state() private slow = false;
 
   #store!: Store;
@@ -97,6 +97,8 @@ export class TrialPage extends LitElement {
   async #open(): Promise<void> {
     try {
       elapsedSince(this.#store);
+      // The viewer is large: it comes beside the session and the first clips.
+      const viewer = import("../viewer/motion_viewer").catch(incomplete);
       const session = await api.get<Session>(this.#path);
       if (session.state === "complete") return location.replace(`${this.#page}/thanks`);
       if (session.state === "withdrawn") throw new ApiError("withdrawn", "Your answers are deleted.", null, null, 410);
@@ -104,6 +106,8 @@ export class TrialPage extends LitElement {
       const files = session.trials.map(({ glb_url, figure_url }) => [glb_url, ...(figure_url ? [figure_url] : [])]);
       this.#preloader = new Preloader(files, { fetch: (url, onShare) => api.bytes(url, undefined, onShare) });
       void this.#outbox.flush();
+      void this.#preloader.want(this.#course.index);
+      await viewer;
       await this.#show();
     } catch (error) {
       this.#stuck(error);
@@ -255,9 +259,9 @@ export class TrialPage extends LitElement {
             <h1>${session.study.question}</h1>
             <p class="trial-hint">${session.study.hint}</p>
             ${scales(session.study, this.form, (scale, value) => this.#change(choose(this.form, scale, value)))}
-            ${this.#comment()}
+            ${comment(session.study, this.form, (form) => this.#change(form))}
           </div>
-          ${this.#footer(index, length)}
+          ${footer(this.#course, this, () => this.#back())}
         </form>
       </main>`;
   }
@@ -281,21 +285,8 @@ export class TrialPage extends LitElement {
       help: "/no-webgl",
     };
   }
+}
 
-  #comment(): TemplateResult {
-    const { comment_label, comment_placeholder } = this.#course.session.study;
-    return html`<label class="field comment"><span><strong>${comment_label}</strong> Optional</span>
-      <textarea class="input" rows="1" maxlength="2000" placeholder=${comment_placeholder}
-        .value=${live(this.form.comment)} @input=${(event: InputEvent) =>
-          this.#change({ ...this.form, comment: (event.target as HTMLTextAreaElement).value })}></textarea></label>`;
-  }
-
-  #footer(index: number, length: number): TemplateResult {
-    return html`<footer class="panel-footer ${this.fetched ? "resting" : ""}">
-      <button class="button quiet back" type="button" ?hidden=${index === 0} ?disabled=${!this.ready}
-        @click=${() => this.#back()}>${icon("back")} Back</button>
-      <button class="button primary next" type="submit" ?disabled=${!this.ready}>
-        ${index + 1 < length ? "Next clip" : "Finish"} ${icon("arrow")}</button>
-    </footer>`;
-  }
+function incomplete(): never {
+  throw new ApiError("offline", "The page did not load completely.", null, "Check the connection, then try again.", 0);
 }
