@@ -9,7 +9,9 @@ from dataclasses import dataclass, replace
 from motion.errors import BvhSyntaxError, Fault
 
 _TOKEN = re.compile(rb"[{}]|[^\s{}]+")
-_REST_OF_LINE = re.compile(rb"[^\r\n{]*")
+_REST_OF_LINE = re.compile(rb"[^\r\n]*")
+# A brace that opens a block, not the second byte of a Japanese character in Shift JIS.
+_OPENING_BRACE = re.compile(rb"(?<![\x80-\xff])\{")
 _CONTEXT_WIDTH = 64  # characters of a line shown around a fault
 
 
@@ -141,6 +143,8 @@ class Scanner:
         """What follows on this line, up to an opening brace, without white space around it."""
         match = _REST_OF_LINE.match(self.data, self.position)
         text = match.group() if match else b""
+        if brace := _OPENING_BRACE.search(text):
+            text = text[: brace.start()]
         self.position += len(text)
         return text.strip()
 

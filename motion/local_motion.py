@@ -195,7 +195,9 @@ def bake(motion: LocalMotion) -> tuple[Baked, list[Note]]:
     if moving.any():
         rotations = _follow(motion, offsets, moving)
     baked = Baked(offsets, motion.positions[:, 0], rotations, 0.0)
-    return replace(baked, error=_error(motion, baked)), _notes(motion, moving, as_written)
+    if (motion.positions[:, 1:] != offsets[1:]).any():
+        baked = replace(baked, error=_error(motion, baked))
+    return baked, _notes(motion, moving, as_written)
 
 
 def _lengthened(positions: Array) -> Array:

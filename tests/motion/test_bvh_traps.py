@@ -295,6 +295,7 @@ def test_a_byte_order_mark_is_left_out_and_noted():
         ("utf-8", "Hüfte", "Hüfte"),
         ("latin-1", "Hüfte", "Hüfte"),
         ("cp932", "頭", "頭".encode("cp932").decode("latin-1")),
+        ("cp932", "左ボーン", "左ボーン".encode("cp932").decode("latin-1")),  # has the byte of {
     ],
 )
 def test_names_are_utf8_or_else_latin1(encoding, name, read):
