@@ -105,12 +105,13 @@ def _arm(phase: Array, going: Array, style: Style, sign: float) -> Arm:
     bend = gait.wave(phase, 1.0, lag) + 0.15 * loose * gait.wave(phase, 1.0, 52.0, 2)
     hand = gait.wave(phase, 1.0, lag + 8.0)
     still = np.zeros_like(phase)
+    above = 0.04 * sign * style.elbow  # of two hands held up, the left lies over the right
     share = amplitude / 17.0
     return Arm(
         swing=style.arm_forward + amplitude * cycle,
         out=style.arm_out + share * gait.wave(phase, 1.2, 53.0),
         turn=style.arm_turn + share * gait.wave(phase, 5.0, 52.0),
-        elbow=np.maximum(style.elbow + going * style.elbow_swing / 2.0 * bend, 3.0),
+        elbow=np.maximum(style.elbow + above + going * style.elbow_swing / 2.0 * bend, 3.0),
         forearm_turn=18.0 + share * gait.wave(phase, 4.0, 56.0),
         wrist=style.wrist - 4.0 * loose * share * hand,
         collar_up=style.shoulder_lift + 2.0 * style.tension + share * gait.wave(phase, 0.8, 50.0),

@@ -68,7 +68,7 @@ KNOCKS: dict[str, Knock] = {
         head=-4, pause=0.25, drop_time=0.45, uneven=0.25, falter=0.35, breath=1.7, tremble=0.9,
     ),
     "angry": Knock(
-        count=5, period=0.20, swing=42, raise_time=0.42, height=64, out=24, elbow=114, lean=5,
+        count=5, period=0.20, swing=42, raise_time=0.42, height=64, out=24, elbow=104, lean=5,
         head=-8, pause=-0.30, drop_time=0.5, breath=2.0,
     ),
     "excited": Knock(
@@ -89,7 +89,7 @@ KNOCKS: dict[str, Knock] = {
         head=3, pause=0.35, drop_time=1.2, uneven=0.2, breath=4.6,
     ),
     "strong": Knock(
-        count=3, period=0.36, swing=44, raise_time=0.6, height=68, out=28, elbow=118, lean=3,
+        count=3, period=0.36, swing=44, raise_time=0.6, height=68, out=28, elbow=108, lean=3,
         pause=-0.05, drop_time=0.8, breath=3.4,
     ),
     "tired": Knock(
@@ -166,21 +166,23 @@ def _knock(channels: Channels, plan: Plan, knock: Knock, hits: Array) -> None:
     strike = _strikes(t, hits, knock.period)
     force = knock.swing / 22.0 * strike
     # The wrist leads: on the way up and down the hand hangs behind the forearm.
-    trailing = 30.0 * np.sin(np.pi * gait.smooth_step(rise * 1.1))
-    trailing -= 12.0 * np.sin(np.pi * gait.smooth_step(fall))
+    trailing = 22.0 * np.sin(np.pi * gait.smooth_step(rise * 1.1))
+    trailing -= 16.0 * np.sin(np.pi * gait.smooth_step(fall))
     poses: dict[str, Array | float] = {
         "swing": knock.height + 0.22 * knock.swing * strike,
         "out": knock.out,
         "turn": 14.0,
         "elbow": knock.elbow - knock.swing * strike,
-        "forearm_turn": 10.0,
-        "wrist": -18.0 + 30.0 * strike,
+        "forearm_turn": -62.0,  # the palm looks back: knuckles knock
+        "wrist": 30.0 - 26.0 * strike,
         "collar_up": 4.0,
         "collar_forward": 8.0 + 3.0 * force,
     }
     arm = channels.arms[RIGHT]
+    # The palm turns last: a forearm on its way up or down carries no tray.
+    shares = {"elbow": bent, "forearm_turn": near**3}
     for name, value in poses.items():
-        share = bent if name == "elbow" else near
+        share = shares.get(name, near)
         setattr(arm, name, (1.0 - share) * getattr(arm, name) + share * value)
     arm.wrist = arm.wrist + trailing
     channels.chest += np.stack(

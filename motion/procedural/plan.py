@@ -16,8 +16,8 @@ from motion.procedural.style import Style
 
 Array = NDArray[np.float64]
 
-# 60 frames a second: every common display shows each frame for a whole number of refreshes, and
-# the quickest thing a body does here, a knock of about 60 ms, still gets four frames.
+# 60 frames a second: displays of 60 and 120 Hz show each frame for a whole number of refreshes,
+# and the quickest thing a body does here, a knock of about 70 ms, still gets four frames.
 FRAME_RATE = 60
 
 LEFT, RIGHT = 0, 1

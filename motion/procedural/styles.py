@@ -44,7 +44,7 @@ CHARACTERS: dict[str, Style] = {
     ),
     "timid": NEUTRAL.but(
         cadence=92, stride=0.84, stance=0.68, lean=6, chest_pitch=10, head_pitch=20, arm_swing=5,
-        arm_forward=12, arm_out=4, arm_turn=34, elbow=108, elbow_swing=4, wrist=22, shoulder_lift=9,
+        arm_forward=12, arm_out=4, arm_turn=28, elbow=108, elbow_swing=4, wrist=22, shoulder_lift=9,
         shoulder_forward=12, tension=0.7, hesitation=0.5, step_width=0.06, toe_out=1, knee_bend=8,
         bounce=0.6, heel_strike=0.6, foot_lift=0.8,
     ),
@@ -102,7 +102,7 @@ AFFECTS: dict[str, Style] = {
     ),
     "distress": NEUTRAL.but(
         cadence=124, stride=1.18, stance=0.61, lean=9, chest_pitch=6, head_pitch=6, head_bob=2.5,
-        arm_swing=18, arm_forward=14, arm_out=8, arm_turn=38, elbow=74, elbow_swing=22,
+        arm_swing=18, arm_forward=4, arm_out=14, arm_turn=34, elbow=100, elbow_swing=22,
         shoulder_lift=10, shoulder_forward=7, tension=0.8, hesitation=0.35, asymmetry=0.05,
         step_width=0.08, knee_bend=4,
     ),
@@ -122,7 +122,7 @@ ACTED: dict[str, Style] = {
     "neutral": NEUTRAL,
     "afraid": CHARACTERS["timid"].but(
         cadence=112, stride=0.92, stance=0.65, hesitation=0.45, head_pitch=8, head_bob=2,
-        knee_bend=12, elbow=116, arm_forward=10, arm_turn=34, lean=4, wrist=26,
+        knee_bend=12, elbow=116, arm_forward=2, arm_turn=27, lean=4, wrist=24,
     ),
     "angry": CHARACTERS["angry"],
     "excited": AFFECTS["excitement"],

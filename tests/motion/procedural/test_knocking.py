@@ -22,7 +22,7 @@ def knocks(gait):
     """Frames at which the right hand, raised, strikes forward."""
     way = reach(gait)
     peaks, _ = find_peaks(way, prominence=0.012, distance=6)
-    peaks = peaks[gait.tips["right_hand"][peaks, 1] > 0.64 * gait.body.stature]
+    peaks = peaks[gait.tips["right_hand"][peaks, 1] > 0.70 * gait.body.stature]
     return peaks[way[peaks] > way[peaks].max() - 0.02]
 
 
