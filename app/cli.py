@@ -62,6 +62,7 @@ def serve(
         access_log=False,  # it would hold people's addresses and participants' tokens
         log_level="warning",
         server_header=False,
+        timeout_worker_healthcheck=60,  # a busy machine needs a while to load the code
         forwarded_allow_ips=settings.trusted_proxies,
     )
 
