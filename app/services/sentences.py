@@ -25,14 +25,14 @@ def best_clip(
     t: float, df: float, p_holm: float, d: float, low: float, high: float,
 ) -> str:  # fmt: skip
     """One row of "Is every emotion seen?". `more` is the pole's comparative, such as sadder."""
-    rest = "the same body's other clips" if against == "others" else "all clips of the same body"
+    rest = "the same body’s other clips" if against == "others" else "all clips of the same body"
     finding = (
         f"The clip “{label}” was seen as {more} than {rest}"
         if p_holm < SIGNIFICANT
         else f"No clip was reliably seen as {more} than {rest}; the nearest was “{label}”"
     )
     return (
-        f"{finding}, Welch's t({number(df, 1)}) = {number(t)}, p {p_value(p_holm)} after Holm's "
+        f"{finding}, Welch’s t({number(df, 1)}) = {number(t)}, p {p_value(p_holm)} after Holm’s "
         f"correction, d = {number(d)}, 95 % CI [{number(low)}, {number(high)}]."
     )
 

@@ -135,10 +135,10 @@ def test_each_row_is_told_in_words_that_match_its_numbers(db, study):
     sad = found.poles[0]
     assert (sad.pole, sad.clip.style) == ("sad", "sad")
     assert sad.sentence.startswith(
-        f"The clip “{sad.clip.label}” was seen as sadder than the same body's other clips, "
+        f"The clip “{sad.clip.label}” was seen as sadder than the same body’s other clips, "
     )
     assert (
-        f"t({sad.df:.1f}) = {sad.t:.2f}, p {sentences.p_value(sad.p_holm)} after Holm's"
+        f"t({sad.df:.1f}) = {sad.t:.2f}, p {sentences.p_value(sad.p_holm)} after Holm’s"
         in sad.sentence
     )
     assert f"d = {sad.d:.2f}, 95 % CI [{sad.d_low:.2f}, {sad.d_high:.2f}]." in sad.sentence

@@ -10,8 +10,8 @@ ROW = {
 
 def test_a_clear_difference_reads_as_the_association_wants_it():
     assert sentences.best_clip(**ROW, against="others", p_holm=0.00001) == (
-        "The clip “sad, female” was seen as sadder than the same body's other clips, Welch's "
-        "t(42.7) = 8.13, p < .001 after Holm's correction, d = 1.16, 95 % CI [0.75, 1.56]."
+        "The clip “sad, female” was seen as sadder than the same body’s other clips, Welch’s "
+        "t(42.7) = 8.13, p < .001 after Holm’s correction, d = 1.16, 95 % CI [0.75, 1.56]."
     )
 
 
