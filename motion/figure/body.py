@@ -233,12 +233,10 @@ def _scaled(ring: Ring, at: float, girth: float) -> Ring:
 def _arm_shape(limb: Limb) -> Shape:
     """Upper arm, forearm and hand are one loft, so that no seam marks the wrist."""
     size = profile.HAND_LENGTH * limb.girth[1]
-    amount, start, power = profile.HAND_CURL
     rings = _limb_rings(limb, profile.UPPER_ARM, profile.FOREARM)
     wrist = limb.upper + limb.lower
     for ring in profile.HAND:
-        curl = amount * max(0.0, ring.at - start) ** power
-        curled = ring._replace(x=-curl, n=profile.HAND_EXPONENT)
+        curled = ring._replace(x=-hand_curl(ring.at), n=profile.HAND_EXPONENT)
         rings.append(_scaled(curled, wrist + ring.at * size, size))
     caps = 0.8 * rings[0].w, 0.3 * rings[-1].b
     arm = Loft(limb.frame, rings, caps, soften=0.027 * limb.girth[1])
@@ -253,6 +251,12 @@ def _arm_shape(limb: Limb) -> Shape:
         (RoundCone(joints[1], joints[2], (radii[1], radii[2])), 0.4 * blend),
     )
     return Union(arm, (thumb, blend))
+
+
+def hand_curl(at: float) -> float:
+    """How far a hand's middle lies toward the palm, both in hand lengths."""
+    amount, start, power = profile.HAND_CURL
+    return float(amount * max(0.0, at - start) ** power)
 
 
 def _leg_shape(limb: Limb, foot: Foot, trunk: Trunk, side: str) -> Shape:

@@ -160,7 +160,8 @@ def _superellipse(
         n: (N,) exponents, None for 2.
         taper: growth of a and c along y as a share of themselves, per metre.
     """
-    parts = [np.abs(v) / r + _TINY for v, r in zip((x, y, z), radii, strict=True)]
+    # On the axis itself, where no direction leads out, any sideways one will do.
+    parts = [np.abs(x) / radii[0] + _TINY, np.abs(y) / radii[1], np.abs(z) / radii[2] + _TINY]
     if n is None:
         norm = np.sqrt(sum(part * part for part in parts))
         slopes = [part / norm for part in parts]

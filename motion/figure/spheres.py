@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motion.figure import profile
-from motion.figure.body import SIGN, Body
+from motion.figure.body import SIGN, Body, hand_curl
 from motion.figure.mesh import Sole, Sphere
 from motion.figure.reference import SIDES
 from motion.rotations import conjugate, rotate
@@ -14,14 +14,14 @@ from motion.rotations import conjugate, rotate
 Array = NDArray[np.float64]
 
 # Where the balls lie: along each limb (fraction of the bone, radius as a fraction of its girth),
-# along the foot (fraction of the way to the ball), up the torso (height in the profile, outward);
-# of feet and torso the radius is in metres at the profile's stature.
+# along the foot (fraction of the way to the ball), up the torso (height in the profile, outward,
+# radius in metres at the profile's stature).
 _THIGH = ((0.12, 0.17), (0.42, 0.165), (0.72, 0.13))
-_SHIN = ((0.02, 0.118), (0.3, 0.118), (0.62, 0.092), (0.9, 0.076))
+_SHIN = ((0.06, 0.116), (0.42, 0.11), (0.82, 0.08))
 _UPPER_ARM = ((0.08, 0.2), (0.45, 0.16), (0.8, 0.13))
 _FOREARM = ((0.12, 0.14), (0.5, 0.12), (0.85, 0.09))
-_HAND = ((0.28, 0.15), (0.66, 0.14))
-_FOOT = ((-0.11, 0.034), (0.5, 0.032), (1.2, 0.025))
+_HAND = ((0.3, 0.12), (0.66, 0.11))
+_FOOT = (-0.11, 0.5, 1.2)
 _TORSO = (
     (-0.03, 0.045, 0.072),
     (0.07, 0.04, 0.078),
@@ -85,7 +85,7 @@ def _arm(body: Body, side: str) -> list[Sphere]:
         for role, along, r in balls
     ]
     for t, r in _HAND:
-        place = limb.end.world(np.array([0.0, t * size, 0.0]))
+        place = limb.end.world(np.array([-hand_curl(t), t, 0.0]) * size)
         found.append(_sphere(body, hand, place, r * size, arm))
     return found
 
@@ -100,12 +100,13 @@ def _leg(body: Body, side: str) -> list[Sphere]:
         )
         for role, along, r in balls
     ]
-    foot = body.feet[side]
-    for ahead, radius in _FOOT:
-        role = f"{side}_toes" if ahead > 1.0 else f"{side}_foot"
+    foot, scale = body.feet[side], body.trunk.scale
+    aheads, tops = ([ring.ahead for ring in foot.rings], [ring.top for ring in foot.rings])
+    for share in _FOOT:
+        role = f"{side}_toes" if share > 1.0 else f"{side}_foot"
         joint = body.pose.carrier(role, f"{side}_foot")
-        size = radius * body.trunk.scale
-        place = foot.frame.world(np.array([0.0, size, ahead * foot.ball]))
+        size = min(0.48 * float(np.interp(share * foot.ball, aheads, tops)), 0.034 * scale)
+        place = foot.frame.world(np.array([0.0, size, share * foot.ball]))
         found.append(_sphere(body, joint, place, size, leg))
     return found
 

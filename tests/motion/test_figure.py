@@ -2,11 +2,13 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import KDTree
 
 from motion.clip import Clip
 from motion.errors import MotionError
 from motion.figure import build_figure
 from motion.figure.bind import bind_pose
+from motion.figure.body import make_body
 from motion.kinematics import pose_to_world
 from motion.rotations import from_axis_angle, multiply, rotate, to_matrix
 from tests.support.figure_cases import (
@@ -144,11 +146,7 @@ def test_the_same_clip_gives_the_same_body():
 def test_a_mirrored_skeleton_has_a_mirrored_body():
     figure = figure_of(sample_clip("adult"))
     mirrored = figure.positions * np.array([-1.0, 1.0, 1.0])
-    gap = np.linalg.norm(mirrored[:, None, :1] - figure.positions[None, :, :1], axis=2)
-    near = np.argmin(
-        gap + np.abs(mirrored[:, None, 1:] - figure.positions[None, :, 1:]).sum(axis=2), axis=1
-    )
-    off = np.linalg.norm(mirrored - figure.positions[near], axis=1)
+    off, _ = KDTree(figure.positions).query(mirrored)
     assert np.quantile(off, 0.99) < 0.002
 
 
@@ -208,3 +206,22 @@ def test_one_standing_frame_is_enough():
     still = Clip(clip.skeleton, clip.root_positions[:1], clip.rotations[:1], clip.frame_time)
     figure = build_figure(still)
     assert figure.stature == pytest.approx(figure_of(clip).stature, abs=0.04)
+
+
+def test_the_shading_balls_fill_the_body_without_standing_out(figure, clip):
+    whole = make_body(bind_pose(clip)).whole
+    joints = [sphere.joint for sphere in figure.spheres]
+    centres = figure.bind_positions[joints] + rotate(
+        figure.bind_rotations[joints], np.array([sphere.centre for sphere in figure.spheres])
+    )
+    depth = -whole.distance(centres)
+    radii = np.array([sphere.radius for sphere in figure.spheres])
+    assert np.all(depth > 0.25 * radii)
+    assert np.all(radii < depth + 0.03)
+
+
+def test_creases_see_less_sky_than_the_crown(figure):
+    crown = np.argmax(figure.positions[:, 1])
+    assert figure.occlusion[crown] > 0.97
+    assert figure.occlusion.min() < 0.6
+    assert np.median(figure.occlusion) > 0.9
