@@ -1,5 +1,7 @@
 import csv
 import io
+import re
+from pathlib import Path
 
 import pytest
 from sqlalchemy import select
@@ -111,3 +113,11 @@ def test_an_empty_study_gives_the_heads_of_the_columns(db):
     text = "".join(exports.responses_csv(Database(db.connection()), emotion.SLUG))
     assert text.strip().split(",") == exports.columns(definition)
     assert len(set(exports.columns(definition))) == len(exports.columns(definition))
+
+
+def test_every_column_is_explained(db):
+    definition = add_study(db)
+    told = (Path(__file__).parents[3] / "docs" / "results.md").read_text()
+    explained = set(re.findall(r"\w+", told.partition("| column | meaning |")[2]))
+    scales = {scale.id for scale in definition.scales}
+    assert set(exports.columns(definition)) - scales <= explained
