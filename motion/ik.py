@@ -76,7 +76,7 @@ def soft_limit(distance: Array, limit: float, width: float) -> Array:
 
     The identity below ``limit − width``; from there exponential with a continuous slope.
     """
-    if width <= 0:
+    if width <= _TINY:
         return np.minimum(distance, limit)
     over = np.maximum(distance - (limit - width), 0.0)
     return np.where(over > 0, limit - width * np.exp(-over / width), distance)

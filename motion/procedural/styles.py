@@ -32,8 +32,8 @@ CHARACTERS: dict[str, Style] = {
         foot_lift=0.7,
     ),
     "angry": NEUTRAL.but(
-        cadence=138, stride=1.56, stance=0.59, lean=13, chest_pitch=5, head_pitch=13, arm_swing=66,
-        arm_forward=-10, arm_out=13, elbow=46, elbow_swing=46, shoulder_twist=11, shoulder_lift=5,
+        cadence=138, stride=1.56, stance=0.59, lean=14, chest_pitch=5, head_pitch=14, arm_swing=76,
+        arm_forward=-17, arm_out=15, elbow=46, elbow_swing=46, shoulder_twist=11, shoulder_lift=5,
         tension=0.5, heaviness=0.5, wrist=25, step_width=0.11, surge=0.16,
     ),
     "old": NEUTRAL.but(
