@@ -190,6 +190,22 @@ def test_viewers_and_thumbnails_of_a_page_share_one_context(show: Show, page: Pa
     assert page.evaluate("contexts.filter((context) => !context.isContextLost()).length") == 1
 
 
+def test_a_card_moves_while_it_is_looked_at_and_goes_back_to_its_still(show: Show) -> None:
+    page = show(
+        '<a href="#"><motion-thumbnail src="/clip1.glb" figure="/figure.glb" poster-time="0.2">'
+        "</motion-thumbnail></a>" + ONE.format(controls="none")
+    )
+    card = "document.querySelector('motion-thumbnail')"
+    picture = f"{card}.shadowRoot.querySelector('canvas').toDataURL()"
+    _ready(page)
+    _until(page, f"{card}.drawn")
+    still = page.evaluate(picture)
+    page.get_by_role("link").focus()
+    _until(page, f"{picture} !== '{still}'")
+    page.get_by_role("link").blur()
+    _until(page, f"{picture} === '{still}'")
+
+
 def test_the_keyboard_reaches_everything(show: Show, clips: list[Clip]) -> None:
     page = show(ONE.format(controls="full"))
     _ready(page)

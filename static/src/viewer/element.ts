@@ -1,16 +1,17 @@
 /** `<motion-viewer>`: shows motions on a small stage and lets a person look, play and turn. */
-import { loadBody } from "./assets";
+import type { Body } from "./body";
 import { PRESETS, type Preset } from "./camera";
-import { fetchPerformers, wantedFigures, type Wanted } from "./casting";
+import { wantedFigures, type Wanted } from "./casting";
 import { Controls, type Playable } from "./controls";
 import { make } from "./dom";
 import { handleKey, listenToPointer } from "./input";
+import { stageFrame } from "./layout";
 import { Legend } from "./legend";
-import { looks } from "./looks";
-import { failureMessage, loadingMessage, PATIENCE_MS, unsupportedMessage } from "./overlay";
+import { Loading } from "./loading";
+import { failureMessage, unsupportedMessage } from "./overlay";
 import { Player } from "./player";
 import { Surface } from "./renderer";
-import { Stage } from "./stage";
+import { Stage, type Performer } from "./stage";
 import { standingClip } from "./standing";
 import { Statistics, type Tier, type ViewingStatistics } from "./statistics";
 import { viewerStyles } from "./styles";
@@ -24,8 +25,6 @@ const HELP =
   "ends. Alt with the arrow keys turns the view, 0 resets it.";
 /** `timeupdate` comes at most this often while playing. */
 const TELL_MS = 100;
-const PHONE_STAGE = 400;
-const PHONE_PAD = 50;
 
 export class MotionViewer extends HTMLElement implements Playable {
   static readonly observedAttributes = [
@@ -39,13 +38,21 @@ export class MotionViewer extends HTMLElement implements Playable {
   private readonly overlay = make("div");
   private readonly visibility = new Visibility(this, () => this.request());
   private readonly resized = new ResizeObserver(() => this.layOut());
-  private readonly children_ = new MutationObserver(() => this.reload());
+  private readonly markup = new MutationObserver(() => this.reload());
   private stage: Stage | null = null;
   private controls: Controls | null = null;
   private stopWatching = () => {};
   private frameRequest = 0;
+  /** The camera has moved since the labels were put over their figures. */
+  private labelsStale = true;
   private reloadQueued = false;
-  private load = 0;
+  private readonly loading = new Loading({
+    say: (message) => this.say(message),
+    await: (body) => this.awaitMotion(body),
+    progress: (loaded, total) => this.tell("progress", { loaded, total }),
+    begin: (performers, wanted) => this.begin(performers, wanted),
+    fail: (error) => this.fail(error),
+  });
   private loaded = false;
   private lastFrame: number | null = null;
   private lastTold = 0;
@@ -78,7 +85,7 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.area.prepend(this.stage.surface.element);
     this.stopWatching = watchMode(() => this.applyTheme());
     this.visibility.start();
-    this.children_.observe(this, { childList: true, subtree: true, attributes: true,
+    this.markup.observe(this, { childList: true, subtree: true, attributes: true,
       attributeFilter: ["src", "figure", "as", "role", "ghost", "label"] });
     this.resized.observe(this);
     this.applyTheme();
@@ -90,11 +97,11 @@ export class MotionViewer extends HTMLElement implements Playable {
   disconnectedCallback(): void {
     cancelAnimationFrame(this.frameRequest);
     this.frameRequest = 0;
-    this.load += 1;
+    this.loading.cancel();
     this.player.pause();
     this.stopWatching();
     this.visibility.stop();
-    this.children_.disconnect();
+    this.markup.disconnect();
     this.resized.disconnect();
     this.stage?.dispose();
     this.stage?.surface.dispose();
@@ -280,21 +287,15 @@ export class MotionViewer extends HTMLElement implements Playable {
 
   private layOut(): void {
     if (!this.stage || this.clientWidth === 0) return;
-    const { clientWidth: width, clientHeight: height } = this;
-    const { padTop, padControls } = looks.camera.fit;
-    const bare = this.controls === null;
-    const bar = this.controls?.bar.hidden === false ? this.controls.bar.offsetHeight : 0;
-    const usual = height < PHONE_STAGE ? PHONE_PAD : padControls;
-    const legend = this.legend.element.hidden ? 0 : 24;
-    const views = this.controls?.views ? 44 : 0;
-    const words = (this.overlay.firstElementChild as HTMLElement | null)?.offsetHeight ?? 0;
-    this.stage.setFrame({
-      width,
-      height,
-      top: (bare ? 12 : padTop) + Math.max(legend, views),
-      bottom: Math.max(bare ? 12 : usual, bar + 4, words),
-      side: 8,
+    const { clientWidth: width, clientHeight: height, controls } = this;
+    const frame = stageFrame(width, height, {
+      bare: controls === null,
+      bar: controls?.bar.hidden === false ? controls.bar.offsetHeight : 0,
+      words: (this.overlay.firstElementChild as HTMLElement | null)?.offsetHeight ?? 0,
+      head: Math.max(this.legend.element.hidden ? 0 : 24, controls?.views?.offsetHeight ?? 0),
     });
+    this.stage.setFrame(frame);
+    this.labelsStale = true;
     const ratio = this.tier === "plain" ? Math.min(devicePixelRatio, 1.5) : devicePixelRatio;
     this.stage.surface.resize(width, height, ratio);
     this.request();
@@ -305,44 +306,10 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.reloadQueued = true;
     queueMicrotask(() => {
       this.reloadQueued = false;
-      if (this.stage) void this.fetchAll();
+      if (!this.stage) return;
+      this.clearStage();
+      void this.loading.fetch(wantedFigures(this));
     });
-  }
-
-  private async fetchAll(): Promise<void> {
-    const load = (this.load += 1);
-    const wanted = wantedFigures(this);
-    this.clearStage();
-    if (wanted.length === 0) return;
-    const current = () => load === this.load;
-    const waiting = this.announce(wanted, current);
-    try {
-      const performers = await fetchPerformers(wanted, (loaded, total) => {
-        if (!current()) return;
-        waiting.show(loaded / total);
-        this.tell("progress", { loaded, total });
-      });
-      if (current()) this.begin(performers, wanted);
-    } catch (error) {
-      if (current()) this.fail(error instanceof Error ? error : new Error(String(error)));
-    } finally {
-      waiting.stop();
-    }
-  }
-
-  /** After a moment of patience: a pale standing figure and a thin bar. */
-  private announce(wanted: Wanted[], current: () => boolean) {
-    const message = loadingMessage();
-    const showPale = async () => {
-      if (!current()) return;
-      this.say(message.element);
-      const body = await loadBody(wanted[0]!.figure);
-      if (!current() || this.loaded) return;
-      this.stage?.cast([{ body, clip: standingClip(body), role: "original", ghost: "loading" }]);
-      this.request();
-    };
-    const timer = setTimeout(() => void showPale().catch(() => {}), PATIENCE_MS);
-    return { show: message.show, stop: () => clearTimeout(timer) };
   }
 
   private clearStage(): void {
@@ -356,7 +323,12 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.layOut();
   }
 
-  private begin(performers: Awaited<ReturnType<typeof fetchPerformers>>, wanted: Wanted[]): void {
+  private awaitMotion(body: Body): void {
+    this.stage?.cast([{ body, clip: standingClip(body), role: "original", ghost: "loading" }]);
+    this.request();
+  }
+
+  private begin(performers: Performer[], wanted: Wanted[]): void {
     const { stage, player } = this;
     if (!stage) return;
     this.overlay.replaceChildren();
@@ -370,7 +342,6 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.legend.show(wanted.map((one) => ({ ...one, ghost: one.ghost !== null })));
     if (this.controls) this.controls.bar.hidden = false;
     this.layOut();
-    this.legend.place(stage.labelPlaces());
     if (this.hasAttribute("autoplay") && !this.isStatic) player.play();
     else this.seek(this.number("poster-time") ?? 0);
     this.lastFrame = null;
@@ -394,6 +365,7 @@ export class MotionViewer extends HTMLElement implements Playable {
   private turnBy(azimuth: number, elevation: number): void {
     this.chosenPreset = null;
     this.stage?.orbit.orbit(azimuth, elevation);
+    this.labelsStale = true;
     this.request();
   }
 
@@ -446,6 +418,8 @@ export class MotionViewer extends HTMLElement implements Playable {
     const started = performance.now();
     if (this.loaded) stage.setTime(player.elapsed);
     stage.draw();
+    if (this.labelsStale) this.legend.place(stage.labelPlaces());
+    this.labelsStale = stage.orbit.flying;
     const busy = performance.now() - started;
     if (this.loaded) this.counts.countFrame();
     this.controls?.update();

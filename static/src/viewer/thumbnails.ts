@@ -145,6 +145,11 @@ export class MotionThumbnail extends HTMLElement {
     else this.redraw();
   }
 
+  /** The still is there. */
+  get drawn(): boolean {
+    return this.clip !== null && !this.stale;
+  }
+
   /** Seconds of the still frame; the middle where nobody chose. */
   get posterTime(): number {
     const asked = this.getAttribute("poster-time");
