@@ -32,7 +32,10 @@ def prepare() -> None:
     database = Database(make_engine(Settings().database))
     with _progress() as progress:
         task = progress.add_task("Making motions", total=None, visible=False)
-        preparation.prepare(database, lambda _: progress.update(task, advance=1, visible=True))
+        preparation.prepare(
+            database,
+            lambda done, total: progress.update(task, completed=done, total=total, visible=True),
+        )
 
 
 @app.command()

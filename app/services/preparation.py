@@ -15,7 +15,7 @@ def needs_migration(database: Database) -> bool:
     return schema.current(database.engine) != schema.head()
 
 
-def prepare(database: Database, on_progress: Callable[[str], None]) -> None:
+def prepare(database: Database, on_progress: Callable[[int, int], None]) -> None:
     """Migrate, make the sample library, make the demonstration study; what is there stays."""
     if needs_migration(database):
         schema.upgrade(database.engine)

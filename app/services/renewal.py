@@ -12,7 +12,7 @@ from motion.storage import clip_from_bytes
 
 
 def renew_imported(
-    database: Database, on_progress: Callable[[str], None] = lambda name: None
+    database: Database, on_progress: Callable[[int, int], None] = lambda done, total: None
 ) -> int:
     """Make files and figures of clips that an older engine has imported; how many there were.
 
@@ -20,17 +20,18 @@ def renew_imported(
     """
     with database.reading() as db:
         outdated = clips.imported_by_others(db, engine_version())
-    for clip_id in outdated:
-        on_progress(_renew(database, clip_id))
+    for done, clip_id in enumerate(outdated, 1):
+        _renew(database, clip_id)
+        on_progress(done, len(outdated))
     return len(outdated)
 
 
-def _renew(database: Database, clip_id: str) -> str:
+def _renew(database: Database, clip_id: str) -> None:
     with database.reading() as db:
         record = clips.by_id(db, clip_id)
         content = blobs.content(db, record.clip_blob) if record else None
         if record is None or content is None:  # deleted meanwhile
-            return ""
+            return
         figure = clips.figure(db, record.skeleton_hash)
     clip = clip_from_bytes(content)
     files = make_files(clip, record.stature)
@@ -41,4 +42,3 @@ def _renew(database: Database, clip_id: str) -> str:
             clips.put_figure(db, record.skeleton_hash, glb, engine_version())
         clips.renew(db, clip_id, files.glb, files.poster_time, engine_version())
         db.commit()
-    return record.name

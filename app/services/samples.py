@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 
 from app.persistence import clips
 from app.persistence.engine import Database
@@ -17,14 +17,18 @@ Made = tuple[SampleClip, ClipFiles]
 def make(
     database: Database,
     samples: Callable[[], Iterable[SampleClip]] = sample_clips,
-    on_progress: Callable[[str], None] = lambda name: None,
+    on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> int:
     """Make the sample library and store it whole; the number of clips.
 
     Samples of an older engine leave the library but stay in the database: answers refer to them.
     """
     figures: dict[str, bytes] = {}
-    made = list(_make(samples(), figures, on_progress))
+    chosen = list(samples())
+    made: list[Made] = []
+    for sample in chosen:
+        made.append((sample, _make(sample, figures)))
+        on_progress(len(made), len(chosen))
     with database.writing() as db:
         clips.retire_samples(db)
         for skeleton_hash, glb in figures.items():
@@ -37,15 +41,11 @@ def make(
     return len(made)
 
 
-def _make(
-    samples: Iterable[SampleClip], figures: dict[str, bytes], on_progress: Callable[[str], None]
-) -> Iterator[Made]:
-    """Each sample with its files; the figures of new skeletons go into ``figures``."""
-    for sample in samples:
-        files = make_files(sample.clip)
-        if files.skeleton_hash not in figures:
-            glb = make_figure(sample.clip)
-            if glb is not None:
-                figures[files.skeleton_hash] = glb
-        on_progress(sample.name)
-        yield sample, files
+def _make(sample: SampleClip, figures: dict[str, bytes]) -> ClipFiles:
+    """The sample's files; the figure of a new skeleton goes into ``figures``."""
+    files = make_files(sample.clip)
+    if files.skeleton_hash not in figures:
+        glb = make_figure(sample.clip)
+        if glb is not None:
+            figures[files.skeleton_hash] = glb
+    return files

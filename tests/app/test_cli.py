@@ -21,7 +21,7 @@ from tests.support.motions import faulty_bvh, walk_bvh, walks
 @pytest.fixture
 def settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Settings:
     monkeypatch.setenv("MANNER_DATA_DIRECTORY", str(tmp_path / "data"))
-    monkeypatch.setattr(samples.make, "__defaults__", (walks, lambda name: None))
+    monkeypatch.setattr(samples.make, "__defaults__", (walks, lambda done, total: None))
     return Settings()
 
 

@@ -90,10 +90,10 @@ def test_a_fault_while_making_them_leaves_none(database: Database) -> None:
     assert records(database) == {}
 
 
-def test_progress_names_every_sample(database: Database) -> None:
-    heard: list[str] = []
-    samples.make(database, walks, heard.append)
-    assert heard == [sample.name for sample in walks()]
+def test_progress_is_told_after_every_sample(database: Database) -> None:
+    heard: list[tuple[int, int]] = []
+    samples.make(database, walks, lambda *progress: heard.append(progress))
+    assert heard == [(1, 3), (2, 3), (3, 3)]
 
 
 def test_the_poster_shows_a_wide_stride_of_the_middle_half() -> None:
