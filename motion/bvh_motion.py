@@ -178,6 +178,9 @@ class _ValueReader:
             )
         elif np.count_nonzero(filled == self.channels) * 2 > len(filled):
             self._refuse_row(numbers, counts)
+        else:
+            text = "Lines do not tell frames apart; frames were counted off by their values"
+            self.notes.append(Note(text, self.first_line, f"line {self.first_line} ff."))
         if left:
             line = self._line_of(numbers, rows * self.channels)
             text = f"The last frame has {left} of {self.channels} values and was left out"

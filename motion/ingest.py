@@ -133,6 +133,8 @@ def ingest(
         MotionError: if an option does not fit the file.
     """
     options = options or IngestOptions()
+    if options.frame_time is not None and not 0 < options.frame_time < np.inf:
+        raise MotionError(f"The frame time must be above 0 s, not {options.frame_time}.")
     file = read_bvh(data, limits=limits, fill_gaps=options.fill_gaps, frame_time=options.frame_time)
     repairs, questions = list(file.notes), list[Note]()
     motion = local_motion(file, _choose_root(file, options, questions))

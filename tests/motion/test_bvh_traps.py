@@ -145,6 +145,12 @@ def test_frames_may_run_over_several_lines():
     assert "several lines" in texts(file.notes)
 
 
+def test_lines_cut_anywhere_are_counted_off_by_values():
+    file = read_bvh(two_joints("1 2 3 4 5 6 7 8 9 1 2", "3 4 5 6 7 8 9 1 2 3 4", "5 6 7 8 9"))
+    assert file.values.tolist() == [VALUES.tolist()] * 3
+    assert "counted off by their values" in texts(file.notes)
+
+
 def test_a_row_that_lacks_a_value_is_refused_by_line_instead_of_shifting_all_others():
     with pytest.raises(BvhSyntaxError, match="8 values; the channels ask for 9") as caught:
         read_bvh(two_joints(ROW, ROW, "1 2 3 4 5 6 7 8", ROW, ROW))

@@ -88,6 +88,7 @@ def test_roles_can_be_given_by_joint_name():
         (IngestOptions(up_axis="w"), "up axis must be one of"),
         (IngestOptions(unit=-1.0), "unit must be above 0"),
         (IngestOptions(root=3), "no number 3"),
+        (IngestOptions(frame_time=0.0), "frame time must be above 0"),
     ],
 )
 def test_options_that_do_not_fit_are_refused_in_words(options, match):
