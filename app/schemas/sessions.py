@@ -3,7 +3,7 @@
 from datetime import datetime
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, AwareDatetime, BaseModel, ConfigDict, Field
+from pydantic import AwareDatetime, BaseModel, BeforeValidator, ConfigDict, Field
 
 SessionState = Literal["active", "complete", "withdrawn"]
 Milliseconds = Annotated[float, Field(ge=0, le=1e10, allow_inf_nan=False)]
