@@ -29,6 +29,8 @@ SIDES = ("left", "right")
 
 _TRUNK = ("hips", "spine", "chest", "neck", "head")
 _FRAMES = 400  # enough to know a joint's axes by
+_CLEAR_BEND = np.sin(np.radians(15.0))  # of a limb, before it tells where the limb bends to
+_STRAIGHT = 0.7  # cosine between bones that count as one line in the skeleton's zero pose
 _SNAP = np.radians(45.0)
 _SNAP_SOLE = np.radians(6.0)
 # Every right-handed frame whose axes lie along the joint's own.
@@ -75,17 +77,57 @@ class Reference:
         """Joint index to its canonical axes (3, 3) in the joint's own frame."""
         found: dict[int, Array] = {}
         for role, joint in self.roles.items():
-            part = role.partition("_")[2] if role.startswith(SIDES) else role
-            if part in ("foot", "toes"):
-                continue
-            bone = self._bone(joint, role)
-            if role in _TRUNK or part == "clavicle" or bone is None:
+            if role in _TRUNK or role.endswith("_clavicle"):
                 found[joint] = snapped(self._mean_axes(joint, self.heading))
-            else:
-                found[joint] = self._limb_axes(joint, bone)
         for side in SIDES:
+            found |= self._chain_axes(side, ("upper_arm", "forearm", "hand"), 1.0)
+            found |= self._chain_axes(side, ("thigh", "shin"), -1.0)
             found |= self._foot_axes(side)
         return found
+
+    def _chain_axes(self, side: str, parts: tuple[str, ...], flexes: float) -> dict[int, Array]:
+        """Axes along a limb whose middle joint bends to the front (``flexes`` 1) or back (−1).
+
+        The first bone's front is where the next one bends to. The next joints take over that
+        front: a skeleton's zero pose holds a limb straight and untwisted. Where it does not, or
+        where the clip never bends the limb, the way that the character faces must do.
+        """
+        found: dict[int, Array] = {}
+        front, before = None, None
+        for part in parts:
+            role = f"{side}_{part}"
+            if role not in self.roles:
+                continue
+            joint = self.roles[role]
+            bone = self._bone(joint, role)
+            if before is None and bone is not None:
+                follower = self.roles[f"{side}_{parts[1]}"]
+                bent = self._bends_to(joint, follower, bone, f"{side}_{parts[1]}")
+                front = None if bent is None else flexes * bent
+            if bone is None:
+                axes = snapped(self._mean_axes(joint, self.heading))
+            elif front is None or (before is not None and bone @ before < _STRAIGHT):
+                axes = self._limb_axes(joint, bone)
+            else:
+                axes = about(-bone, snapped(about(-bone, front))[:, 2])
+            found[joint] = axes
+            front, before = axes[:, 2], bone if bone is not None else before
+        return found
+
+    def _bends_to(self, near: int, far: int, bone: Array, far_role: str) -> Array | None:
+        """(3,) way in which the far bone leaves the near one's line, in the near joint's frame."""
+        far_bone = self._bone(far, far_role)
+        if far_bone is None:
+            return None
+        near_turns, far_turns = (to_matrix(self.pose.rotations[:, joint]) for joint in (near, far))
+        ways = np.einsum("tji,tj->ti", near_turns, far_turns @ far_bone)
+        aside = ways - (ways @ bone)[:, None] * bone
+        bend = np.linalg.norm(aside, axis=1)
+        clear = bend > _CLEAR_BEND
+        if not clear.any():
+            return None
+        mean = aside[clear].sum(axis=0) / bend[clear].sum()
+        return _unit(mean) if np.linalg.norm(mean) > 0.5 else None
 
     def _bone(self, joint: int, role: str) -> Array | None:
         """(3,) unit way from a limb's joint to the next role's, in its own resting frame."""

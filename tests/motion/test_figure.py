@@ -10,7 +10,9 @@ from motion.figure import build_figure
 from motion.figure.bind import bind_pose
 from motion.figure.body import make_body
 from motion.kinematics import pose_to_world
-from motion.rotations import from_axis_angle, multiply, rotate, to_matrix
+from motion.procedural.bodies import BODIES
+from motion.procedural.knock import walk_and_knock
+from motion.rotations import angle_between, from_axis_angle, multiply, rotate, to_matrix
 from tests.support.figure_cases import (
     CASES,
     RECORDED,
@@ -225,3 +227,21 @@ def test_creases_see_less_sky_than_the_crown(figure):
     assert figure.occlusion[crown] > 0.97
     assert figure.occlusion.min() < 0.6
     assert np.median(figure.occlusion) > 0.9
+
+
+@pytest.mark.motions
+def test_whatever_the_clip_one_skeleton_gets_one_body(motions_dir):
+    """Bandai clips share a skeleton whose bones lie along ±x, mirrored left and right."""
+    names = ("walk_normal", "walk_sad", "bow_normal", "bye_normal", "punch_normal", "walk_giant")
+    files = [motions_dir / "bandai-namco" / f"{name}_001.bvh" for name in names]
+    poses = [bind_pose(recorded_clip(file)) for file in files]
+    for pose in poses[1:]:
+        turned = angle_between(poses[0].rotations, pose.rotations)
+        assert np.degrees(turned.max()) < 6.0
+
+
+@pytest.mark.parametrize("emotion", ["angry", "sad", "afraid", "happy"])
+def test_a_knocking_clip_gives_the_body_of_a_walking_one(emotion):
+    walking, knocking = sample_clip("female"), walk_and_knock(emotion, BODIES["female"])
+    turned = angle_between(bind_pose(walking).rotations, bind_pose(knocking).rotations)
+    assert np.degrees(turned.max()) < 2.0
