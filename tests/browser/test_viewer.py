@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import http.server
 import json
+import shutil
 import threading
 from collections.abc import Callable, Iterator
 from itertools import islice
@@ -53,12 +54,7 @@ Show = Callable[[str], Page]
 
 
 class _Handler(http.server.SimpleHTTPRequestHandler):
-    """Files of the temporary folder, and of the bundle under /static/."""
-
-    def translate_path(self, path: str) -> str:
-        if path.startswith("/static/"):
-            return str(DIST / path.removeprefix("/static/"))
-        return super().translate_path(path)
+    """Files of a folder, under the policy of a page."""
 
     def end_headers(self) -> None:
         self.send_header("Content-Security-Policy", POLICY)
@@ -83,6 +79,7 @@ def site(clips: list[Clip], tmp_path_factory: pytest.TempPathFactory) -> Iterato
     (folder / "figure.glb").write_bytes(write_figure_glb(build_figure(clips[0])))
     (folder / "page.css").write_text(STYLE + CARD)
     (folder / "favicon.ico").write_bytes(b"")
+    shutil.copytree(DIST, folder / "static")
     handler = functools.partial(_Handler, directory=str(folder))
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         thread = threading.Thread(target=server.serve_forever)
@@ -96,7 +93,7 @@ def site(clips: list[Clip], tmp_path_factory: pytest.TempPathFactory) -> Iterato
 def show(site: tuple[Path, str], page: Page) -> Show:
     """Open a page with some markup and the viewer's script."""
     folder, address = site
-    manifest = json.loads((DIST / ".vite" / "manifest.json").read_text())
+    manifest = json.loads((folder / "static" / ".vite" / "manifest.json").read_text())
     script = manifest["src/entries/viewer.ts"]["file"]
     page.set_viewport_size({"width": 400, "height": 420})
 

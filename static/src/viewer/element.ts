@@ -23,6 +23,11 @@ import { Visibility } from "./visibility";
 const HELP =
   "Space plays and pauses, R replays, left and right arrow step by frames, Home and End go to the " +
   "ends. Alt with the arrow keys turns the view, 0 resets it.";
+const INTERACTIVE = {
+  tabindex: "0",
+  "aria-roledescription": "moving figure",
+  "aria-describedby": "help",
+};
 /** `timeupdate` comes at most this often while playing. */
 const TELL_MS = 100;
 
@@ -34,7 +39,7 @@ export class MotionViewer extends HTMLElement implements Playable {
   private readonly player = new Player();
   private readonly counts = new Statistics();
   private readonly legend = new Legend();
-  private readonly area = make("div", { class: "stage", tabindex: "0", "aria-describedby": "help" });
+  private readonly area = make("div", { class: "stage" });
   private readonly overlay = make("div");
   private readonly visibility = new Visibility(this, () => this.request());
   private readonly resized = new ResizeObserver(() => this.layOut());
@@ -65,12 +70,10 @@ export class MotionViewer extends HTMLElement implements Playable {
     root.adoptedStyleSheets = [viewerStyles()];
     const help = make("p", { class: "hidden", id: "help" }, HELP);
     root.append(this.area, help, this.legend.element, this.overlay);
-    this.area.setAttribute("role", "application");
-    this.area.setAttribute("aria-roledescription", "moving figure");
     const turn = {
       orbit: (azimuth: number, elevation: number) => this.turnBy(azimuth, elevation),
       zoomBy: (factor: number) => this.zoomBy(factor),
-      turned: () => this.counts.countCameraMove(),
+      turned: () => !this.isStatic && this.counts.countCameraMove(),
     };
     listenToPointer(this.area, turn, () => this.isFull);
     this.addEventListener("keydown", (event) => this.onKey(event, turn));
@@ -253,6 +256,7 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.controls?.bar.remove();
     this.controls?.views?.remove();
     this.controls = null;
+    this.describeStage();
     const kind = this.getAttribute("controls") ?? "simple";
     if (kind !== "none" && !this.isStatic) {
       this.controls = new Controls(this, kind === "full");
@@ -262,6 +266,16 @@ export class MotionViewer extends HTMLElement implements Playable {
       this.resized.observe(this.controls.bar);
     }
     this.layOut();
+  }
+
+  /** A still is a picture; anything else answers to the keyboard and can be reached by it. */
+  private describeStage(): void {
+    const { area, isStatic } = this;
+    area.setAttribute("role", isStatic ? "img" : "application");
+    for (const [name, value] of Object.entries(INTERACTIVE)) {
+      if (isStatic) area.removeAttribute(name);
+      else area.setAttribute(name, value);
+    }
   }
 
   private applyTheme(): void {
@@ -363,6 +377,7 @@ export class MotionViewer extends HTMLElement implements Playable {
   }
 
   private turnBy(azimuth: number, elevation: number): void {
+    if (this.isStatic) return;
     this.chosenPreset = null;
     this.stage?.orbit.orbit(azimuth, elevation);
     this.labelsStale = true;

@@ -6,7 +6,7 @@ export interface Turnable {
   orbit(azimuth: number, elevation: number): void;
   zoomBy(factor: number): void;
   /** A drag or a key press that turned the view is over. */
-  turned(): void;
+  turned(): unknown;
 }
 
 const DEGREES_PER_PIXEL = 0.4;

@@ -7,7 +7,7 @@ const TEXT = `
 .stage, .canvas { position: absolute; inset: 0; }
 .stage { touch-action: pan-y; cursor: grab; border-radius: var(--radius-control); outline: none; }
 .stage:active { cursor: grabbing; }
-:host([controls="none"]) .stage { cursor: default; }
+:host([static]) .stage { touch-action: auto; cursor: default; }
 .canvas canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
 :focus-visible { outline: 3px solid var(--accent); outline-offset: 2px; }
 .stage:focus-visible { outline-offset: -3px; }
