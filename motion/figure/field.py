@@ -231,7 +231,7 @@ def foot_loft(frame: Frame, rings: Sequence[FootRing], exponent: float, edge: fl
         widest = 0.3 * ring.top  # where a section is widest, above the floor
         below = widest + 1.6 * edge
         sections.append(Ring(ring.ahead, ring.w, below, ring.top - widest, 0.0, -widest, exponent))
-    ends = 0.9 * edge, 0.7 * edge
+    ends = 2.2 * edge, 0.7 * edge
     return Loft(Frame(frame.origin, frame.axes @ turn), sections, ends, 0.4 * edge)
 
 

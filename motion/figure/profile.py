@@ -115,8 +115,8 @@ ANKLE_HEIGHT = 0.117
 TOE_HEIGHT = 0.042
 TOE_AHEAD = 0.0895
 FOOT = (
-    FootRing(-0.047, 0.029, 0.058),
-    FootRing(-0.032, 0.0345, 0.088),
+    FootRing(-0.034, 0.0338, 0.082),
+    FootRing(-0.026, 0.0348, 0.0855),
     FootRing(-0.006, 0.0365, 0.114),
     FootRing(0.018, 0.0355, 0.106),
     FootRing(0.042, 0.0375, 0.084),
@@ -129,7 +129,7 @@ FOOT = (
     FootRing(0.178, 0.021, 0.027),
 )
 FOOT_EXPONENT = 2.2
-SOLE_EDGE = 0.012
+SOLE_EDGE = 0.012  # the heel, half an ellipsoid behind the first ring, is 2.2 of them long
 
 # Below its first ring the torso ends in half an ellipsoid, which thighs meet without a crease.
 PELVIS_DEPTH = 0.135
