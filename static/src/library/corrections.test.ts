@@ -23,8 +23,13 @@ test("only what differs is sent", () => {
   expect(changed(report, filled({ up_axis: "-z" }))).toEqual({ up_axis: "-z" });
 });
 
-test("roles are sent whole, because they replace the guessed ones, and without empty places", () => {
+test("a role is moved or, by an empty joint, taken away; the others are left to be found", () => {
   expect(changed(report, filled({ "role:neck": "Neck", "role:head": "" }))).toEqual({
-    roles: { hips: "Hips", neck: "Neck" },
+    roles: { neck: "Neck", head: "" },
   });
+});
+
+test("roles that were corrected before go along with the new ones", () => {
+  const again = { ...report, options: { roles: { hips: "Hips" } } } as unknown as Report;
+  expect(changed(again, filled({ "role:neck": "Neck" }))).toEqual({ roles: { hips: "Hips", neck: "Neck" } });
 });

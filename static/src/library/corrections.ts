@@ -45,16 +45,21 @@ export function correctionsForm(
   </form>`;
 }
 
-/** Only what differs from the report, so that the rest is still found from the file. */
+/**
+ * Only what differs from the report, so that the rest is still found from the file.
+ *
+ * The server takes the roles as one thing: earlier corrections go along with the new ones. An empty
+ * joint takes a guessed role away.
+ */
 export function changed(report: Report, form: FormData): Corrections {
   const unit = Number(form.get("unit"));
   const axis = String(form.get("up_axis"));
-  const roles = rolesOf(report).map((role) => [role, String(form.get(`role:${role}`) ?? "")] as const);
-  const moved = roles.some(([role, joint]) => joint !== (report.roles[role] ?? ""));
+  const chosen = rolesOf(report).map((role) => [role, String(form.get(`role:${role}`) ?? "")] as const);
+  const moved = chosen.filter(([role, joint]) => joint !== (report.roles[role] ?? ""));
   return {
     ...(unit !== report.unit ? { unit } : {}),
     ...(axis !== report.up_axis ? { up_axis: axis } : {}),
-    ...(moved ? { roles: Object.fromEntries(roles.filter(([, joint]) => joint)) } : {}),
+    ...(moved.length ? { roles: { ...report.options?.roles, ...Object.fromEntries(moved) } } : {}),
   };
 }
 

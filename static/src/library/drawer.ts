@@ -31,7 +31,7 @@ export function drawer(item: ImportItem, acts: DrawerActs): TemplateResult {
 function imported(result: Imported, acts: DrawerActs): TemplateResult {
   const open = result.clip.state === "to_confirm";
   return html`${heading(result, acts)}
-    <measured-figure .clip=${result.clip}></measured-figure>
+    ${result.clip.figure_url ? html`<measured-figure .clip=${result.clip}></measured-figure>` : noFigure}
     <div class="drawer-body">
       ${report.facts(result.report)}
       ${acts.correcting
@@ -55,3 +55,6 @@ const heading = ({ clip, report: made, already_there }: Imported, acts: DrawerAc
     <p class="small quiet">${already_there ? "In the library already" : "Imported just now"} · ${report.summary(made)}</p></div>
   <button class="button quiet icon-button" @click=${acts.close}>${icon("close")}<span class="visually-hidden">Close; decide later</span></button>
 </header>`;
+
+const noFigure = html`<div class="note flat" role="status">${icon("info")}
+  <p><b>No figure can stand on this skeleton yet.</b> Say below which joint moves which part.</p></div>`;

@@ -10,7 +10,7 @@ export const summary = ({ repairs, questions }: Report): string =>
 
 export function facts(report: Report): TemplateResult {
   const roles = report.missing_roles.length
-    ? `${report.missing_roles.length} roles missing`
+    ? `${counted(report.missing_roles.length, "role")} missing`
     : "all roles found";
   return html`<dl class="facts">
     <div><dt>Length</dt><dd>${seconds(report.duration)} at ${framesPerSecond(report.frame_time)}</dd></div>
