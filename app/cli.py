@@ -78,12 +78,14 @@ def import_files(
     """Import motion files. One that cannot be read does not hinder the others."""
     from app.services import command_line_imports
 
-    database = _prepared_database(Settings())
+    settings = Settings()
+    database = _prepared_database(settings)
     with _progress() as progress:
         task = progress.add_task("Importing", total=len(files))
         failed = 0
-        for path in files:
-            told = command_line_imports.import_path(database, path, confirm=yes)
+        for told in command_line_imports.import_paths(
+            database, files, confirm=yes, scheduler=settings.scheduler
+        ):
             progress.console.print(told.text, markup=False, soft_wrap=True)
             failed += told.failed
             progress.advance(task)

@@ -7,6 +7,7 @@ the database meanwhile; what is stored is stored in one transaction, whole or no
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
@@ -20,7 +21,7 @@ from app.persistence.models import ClipRecord
 from app.schemas.library import Imported, ImportOptions, ImportReport
 from app.services import library
 from app.services.engine_version import engine_version
-from motion import MotionError
+from motion import Clip, MotionError
 from motion.errors import BvhSyntaxError
 
 if TYPE_CHECKING:
@@ -28,20 +29,47 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class _Read:
-    """A file's content, ready to be stored."""
+class ReadMotion:
+    """A file's content, ready to be stored; ``clip`` is what a figure can be grown from."""
 
     files: ClipFiles
     report: dict[str, Any]
-    figure: bytes | None
+    clip: Clip
+
+
+Reader = Callable[[bytes, ImportOptions], ReadMotion]
+
+
+def read_motion(data: bytes, options: ImportOptions) -> ReadMotion:
+    """Compute all that the library keeps of a file. No database: it may run anywhere.
+
+    Raises:
+        InvalidError: the file cannot be read; ``where`` names line and column.
+    """
+    # Imported here: they bring SciPy, for which the server's start shall not wait.
+    from app.services.clip_files import make_files
+    from motion.ingest import IngestOptions, ingest
+
+    try:
+        ingested = ingest(data, IngestOptions(**options.model_dump()))
+        files = make_files(ingested.clip, ingested.report.stature)
+    except MotionError as error:
+        raise _unreadable(error) from error
+    report = {**ingested.report.to_dict(), "options": options.model_dump(exclude_defaults=True)}
+    return ReadMotion(files, report, ingested.clip)
 
 
 def import_file(
-    database: Database, name: str, data: bytes, options: ImportOptions | None = None
+    database: Database,
+    name: str,
+    data: bytes,
+    options: ImportOptions | None = None,
+    read: Reader = read_motion,
 ) -> Imported:
     """Read a BVH file into the library, where it waits for confirmation.
 
-    A file that is there already is not stored again; the answer says so.
+    A file that is there already is not stored again; the answer says so. ``read`` is given where
+    the reading happens elsewhere.
 
     Raises:
         InvalidError: the file cannot be read; ``where`` names line and column.
@@ -51,12 +79,13 @@ def import_file(
         known = clips.by_source(db, hashlib.sha256(data).hexdigest())
         if known is not None and options in (ImportOptions(), _options_of(known)):
             return _told(db, known, already_there=True)
-    read = _read(database, data, options)
+    motion = read(data, options)
+    figure = _figure(database, motion)
     with database.writing() as db:
-        known = clips.by_id(db, read.files.id)
+        known = clips.by_id(db, motion.files.id)
         if known is not None and known.state != "retired":
-            return _told(db, known, already_there=True, report=read.report)
-        clip = _store(db, read, _clip_name(name), data)
+            return _told(db, known, already_there=True, report=motion.report)
+        clip = _store(db, motion, figure, _clip_name(name), data)
         db.commit()
         return _told(db, clip)
 
@@ -73,50 +102,45 @@ def revise(database: Database, clip_id: str, changes: dict[str, Any]) -> Importe
         data = _source_to_revise(db, clip)
         name = clip.name
         options = _merged(_options_of(clip), changes)
-    read = _read(database, data, options)
+    motion = read_motion(data, options)
+    figure = _figure(database, motion)
     with database.writing() as db:
         old = library.find(db, clip_id, signed_in=True)
-        same = clips.by_id(db, read.files.id)
+        same = clips.by_id(db, motion.files.id)
         if same is not None and same.state == "kept":
             clips.delete(db, old)
             db.commit()
-            return _told(db, same, already_there=True, report=read.report)
-        clip = _store(db, read, name, data)
+            return _told(db, same, already_there=True, report=motion.report)
+        clip = _store(db, motion, figure, name, data)
         if old.id != clip.id:
             clips.delete(db, old)
         db.commit()
         return _told(db, clip)
 
 
-def _read(database: Database, data: bytes, options: ImportOptions) -> _Read:
-    # Imported here: they bring SciPy, for which the server's start shall not wait.
-    from app.services.clip_files import make_figure, make_files
-    from motion.ingest import IngestOptions, ingest
+def _figure(database: Database, motion: ReadMotion) -> bytes | None:
+    """The figure of the motion's skeleton, unless this engine made it before."""
+    from app.services.clip_files import make_figure
 
-    try:
-        ingested = ingest(data, IngestOptions(**options.model_dump()))
-        files = make_files(ingested.clip, ingested.report.stature)
-    except MotionError as error:
-        raise _unreadable(error) from error
     with database.reading() as db:
-        known = clips.figure(db, files.skeleton_hash)
+        known = clips.figure(db, motion.files.skeleton_hash)
     made_already = known is not None and known.engine_version == engine_version()
-    figure = None if made_already else make_figure(ingested.clip)
-    report = {**ingested.report.to_dict(), "options": options.model_dump(exclude_defaults=True)}
-    return _Read(files, report, figure)
+    return None if made_already else make_figure(motion.clip)
 
 
-def _store(db: Session, read: _Read, name: str, data: bytes) -> ClipRecord:
-    if read.figure is not None:
-        clips.put_figure(db, read.files.skeleton_hash, read.figure, engine_version())
+def _store(
+    db: Session, motion: ReadMotion, figure: bytes | None, name: str, data: bytes
+) -> ClipRecord:
+    if figure is not None:
+        clips.put_figure(db, motion.files.skeleton_hash, figure, engine_version())
     return library.store(
         db,
-        read.files,
+        motion.files,
         name=name,
         source="imported",
         state="to_confirm",
         tags={},
-        report=read.report,
+        report=motion.report,
         source_file=data,
     )
 

@@ -1,0 +1,134 @@
+"""Standing differently: offsets from captured poses, added to every frame (Förger, ch. 3.4.2).
+
+A pose is known by body roles and in canonical axes (x to the left, y up, z forward in upright
+standing, the same for every skeleton), so that an offset carries over to any character unchanged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motion.clip import Clip
+from motion.editing.limbs import Limb, find_limbs
+from motion.kinematics import WorldPose, forward_kinematics, pose_to_world
+from motion.rotations import conjugate, from_directions, multiply, rotate, to_directions
+from motion.standing import standing_rotations
+
+Array = NDArray[np.float64]
+
+FADE_FROM, FADE_TO = 0.5, 0.9  # of a limb's length: how far its end strays until the offset is gone
+Pose = Mapping[str, Array]  # body role to local rotation (4,) in canonical axes
+
+
+@dataclass(frozen=True, eq=False)
+class PostureOffset:
+    """A changed standing pose less the neutral one.
+
+    Attributes:
+        directions: body role to the difference (6,) of that joint's direction vectors.
+    """
+
+    directions: Mapping[str, Array]
+
+    @classmethod
+    def between(cls, neutral: Pose, changed: Pose) -> PostureOffset:
+        """The offset of the roles that both poses know."""
+        roles = [role for role in neutral if role in changed]
+        return cls({r: to_directions(changed[r]) - to_directions(neutral[r]) for r in roles})
+
+
+def capture_pose(clip: Clip, frame: int) -> Pose:
+    """The pose of one frame, from which offsets can be made for any skeleton.
+
+    Raises:
+        IndexError: if the clip has no such frame.
+    """
+    canonical = _to_canonical(clip, standing_rotations(clip))[frame]
+    return {role: canonical[joint] for role, joint in clip.skeleton.roles.items()}
+
+
+def add_posture(clip: Clip, offsets: Sequence[tuple[PostureOffset, float]]) -> Clip:
+    """The clip with each offset added, times its amount.
+
+    Offsets add before the vectors are made orthonormal again, so their order does not matter.
+    Where a limb's end strays from where it hangs in standing, the offset of that limb fades out.
+
+    Args:
+        clip: a clip whose skeleton has body roles.
+        offsets: pairs of offset and amount; 0 changes nothing, 1 is as captured.
+    """
+    total = _sum(offsets)
+    if not total:
+        return clip
+    standing = standing_rotations(clip)
+    rotations = clip.rotations.copy()
+    canonical = _to_canonical(clip, standing)
+    fade = _fades(clip, standing)
+    for role, offset in total.items():
+        joint = clip.skeleton.roles.get(role)
+        if joint is not None:
+            moved = to_directions(canonical[:, joint]) + fade[joint][:, None] * offset
+            rotations[:, joint] = _from_canonical(clip, standing, joint, from_directions(moved))
+    return replace(clip, rotations=rotations)
+
+
+def _sum(offsets: Sequence[tuple[PostureOffset, float]]) -> dict[str, Array]:
+    total: dict[str, Array] = {}
+    for offset, amount in offsets:
+        for role, directions in offset.directions.items():
+            if amount != 0.0 and np.any(directions):
+                total[role] = total.get(role, np.zeros(6)) + amount * directions
+    return total
+
+
+def _to_canonical(clip: Clip, standing: Array) -> Array:
+    """Local rotations (T, J, 4) in canonical axes: the identity in upright standing."""
+    return multiply(multiply(_above(clip, standing), clip.rotations), conjugate(standing))
+
+
+def _from_canonical(clip: Clip, standing: Array, joint: int, canonical: Array) -> Array:
+    above = _above(clip, standing)[joint]
+    return multiply(multiply(conjugate(above), canonical), standing[joint])
+
+
+def _above(clip: Clip, standing: Array) -> Array:
+    """(J, 4) how each joint's parent stands; the world, for the root."""
+    parents = clip.skeleton.parents
+    root = np.array([[1.0, 0.0, 0.0, 0.0]])
+    return np.concatenate([root, standing[parents[1:]]])
+
+
+def _fades(clip: Clip, standing: Array) -> Array:
+    """(J, T) share of an offset that each joint takes in each frame."""
+    pose = forward_kinematics(clip)
+    upright = _upright(clip, standing)
+    fades = np.ones((len(clip.skeleton), clip.frames))
+    for limb in find_limbs(clip.skeleton).values():
+        if limb.name != "head":
+            fades[list(limb.joints)] = _fade(clip, pose, upright, limb)
+    return fades
+
+
+def _fade(clip: Clip, pose: WorldPose, upright: WorldPose, limb: Limb) -> Array:
+    """Share (T,) that falls as the limb's end leaves where it hangs, seen from the hips."""
+    bones = clip.skeleton.offsets[[j for j in limb.joints if limb.root < j <= limb.end]]
+    length = float(np.linalg.norm(bones, axis=1).sum())
+    strayed = _seen_from_hips(clip, pose, limb) - _seen_from_hips(clip, upright, limb)
+    share = np.linalg.norm(strayed, axis=1) / max(length, 1e-9)
+    return np.clip((FADE_TO - share) / (FADE_TO - FADE_FROM), 0.0, 1.0)
+
+
+def _seen_from_hips(clip: Clip, pose: WorldPose, limb: Limb) -> Array:
+    """Positions (T, 3) of a limb's end in the hips' own frame, metres."""
+    hips = clip.skeleton.roles.get("hips", 0)
+    way = pose.positions[:, limb.end] - pose.positions[:, hips]
+    return rotate(conjugate(pose.rotations[:, hips]), way)
+
+
+def _upright(clip: Clip, standing: Array) -> WorldPose:
+    local = multiply(conjugate(_above(clip, standing)), standing)[None]
+    return pose_to_world(clip.skeleton, np.zeros((1, 3)), local)
