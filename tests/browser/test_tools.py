@@ -101,6 +101,9 @@ def test_an_imported_file_is_reported_beside_a_rule_and_kept_on_request(
     expect(drawer.get_by_role("button", name="Yes, keep it")).to_be_focused()
     card = page.locator(".clip-card").first
     expect(card).to_contain_text("new")
+    page.reload()
+    card.click()
+    expect(drawer).to_contain_text("Waits to be confirmed")
     drawer.get_by_role("button", name="Yes, keep it").press("Enter")
     expect(drawer).to_be_hidden()
     expect(card).not_to_contain_text("new")

@@ -42,6 +42,18 @@ export class ClipLibrary extends LitElement {
     } catch (error) {
       this.problem = asApiError(error);
     }
+    const asked = this.clips?.find(({ id }) => id === location.hash.slice(1));
+    if (asked?.state === "to_confirm") void this.reopen(asked);
+  }
+
+  /** Show the report of a clip that an earlier visit left to be confirmed. */
+  private async reopen(clip: Clip): Promise<void> {
+    try {
+      const { report } = await api.get<components["schemas"]["ClipDetail"]>(`/api/v1/clips/${clip.id}`);
+      if (report) this.show(this.queue.found({ clip, report, already_there: false }));
+    } catch (error) {
+      this.problem = asApiError(error);
+    }
   }
 
   private take(files: Iterable<File>): void {
@@ -177,11 +189,12 @@ export class ClipLibrary extends LitElement {
 
   private card(clip: Clip): TemplateResult {
     const fresh = clip.state === "to_confirm";
-    const waiting = this.queue.items.find(({ result }) => result?.clip.id === clip.id);
     const open = (event: Event) => {
-      if (!waiting) return;
+      if (!fresh) return;
       event.preventDefault();
-      this.show(waiting);
+      const waiting = this.queue.items.find(({ result }) => result?.clip.id === clip.id);
+      if (waiting) this.show(waiting);
+      else void this.reopen(clip);
     };
     return html`<li><a class="clip-card ${fresh ? "fresh" : ""}" href=${clip.page_url} @click=${open}>
       <span class="clip-stage"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail>

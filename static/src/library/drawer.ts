@@ -24,13 +24,13 @@ export interface DrawerActs {
 export function drawer(item: ImportItem, acts: DrawerActs): TemplateResult {
   const escape = (event: KeyboardEvent) => event.key === "Escape" && acts.close();
   return html`<aside class="drawer" aria-label="Import report" @keydown=${escape}>
-    ${item.result ? imported(item.result, acts) : failure(item, acts.retry, acts.leaveOut)}
+    ${item.result ? imported(item, item.result, acts) : failure(item, acts.retry, acts.leaveOut)}
   </aside>`;
 }
 
-function imported(result: Imported, acts: DrawerActs): TemplateResult {
+function imported(item: ImportItem, result: Imported, acts: DrawerActs): TemplateResult {
   const open = result.clip.state === "to_confirm";
-  return html`${heading(result, acts)}
+  return html`${heading(item, result, acts)}
     ${result.clip.figure_url ? html`<measured-figure .clip=${result.clip}></measured-figure>` : noFigure}
     <div class="drawer-body">
       ${report.facts(result.report)}
@@ -50,9 +50,13 @@ function imported(result: Imported, acts: DrawerActs): TemplateResult {
     </footer>`;
 }
 
-const heading = ({ clip, report: made, already_there }: Imported, acts: DrawerActs) => html`<header>
-  <div><h2 class="head">${clip.name}</h2>
-    <p class="small quiet">${already_there ? "In the library already" : "Imported just now"} · ${report.summary(made)}</p></div>
+/** The file is at hand in the visit that brought it only. */
+const since = ({ file }: ImportItem, { already_there }: Imported): string =>
+  already_there ? "In the library already" : file.size ? "Imported just now" : "Waits to be confirmed";
+
+const heading = (item: ImportItem, result: Imported, acts: DrawerActs) => html`<header>
+  <div><h2 class="head">${result.clip.name}</h2>
+    <p class="small quiet">${since(item, result)} · ${report.summary(result.report)}</p></div>
   <button class="button quiet icon-button" @click=${acts.close}>${icon("close")}<span class="visually-hidden">Close; decide later</span></button>
 </header>`;
 

@@ -46,6 +46,14 @@ export class ImportQueue implements ReactiveController {
     await this.run();
   }
 
+  /** An import of an earlier visit, which is still to be confirmed. */
+  found(result: Imported): ImportItem {
+    const file = new File([], result.clip.name);
+    const item: ImportItem = { id: ++this.lastId, file, options: {}, state: "imported", share: 1, result };
+    this.items.push(item);
+    return item;
+  }
+
   remove(item: ImportItem): void {
     this.items = this.items.filter((other) => other !== item);
     this.host.requestUpdate();
