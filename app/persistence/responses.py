@@ -31,6 +31,7 @@ class Stored(NamedTuple):
     answers: dict[str, int]
     comment: str
     received_at: datetime
+    record: dict[str, Any]
 
 
 # Tables instead of classes, made once: answers come by the hundred in a second, and building
@@ -40,7 +41,7 @@ _ASKED = (
     select(
         _SESSIONS.id, _SESSIONS.state, _SESSIONS.plan, _SESSIONS.study_id,
         _STUDIES.definition_hash, _RESPONSES.fingerprint, _RESPONSES.answers,
-        _RESPONSES.comment, _RESPONSES.received_at,
+        _RESPONSES.comment, _RESPONSES.received_at, _RESPONSES.record,
     )
     .join_from(StudySession.__table__, Study.__table__)
     .outerjoin(

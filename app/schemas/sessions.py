@@ -57,6 +57,7 @@ class ResponseView(Message):
 
     revision: int
     answers: dict[str, int]
+    touched: list[str]
     comment: str
 
 

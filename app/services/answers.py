@@ -136,6 +136,7 @@ def _already_answered(answer: Answer, stored: Stored) -> ConflictError:
             "stored": {
                 **place,
                 "answers": stored.answers,
+                "touched": stored.record["touched"],
                 "comment": stored.comment,
                 "received_at": stored.received_at.isoformat(),
             }

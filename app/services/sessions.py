@@ -115,7 +115,12 @@ def view(db: Session, token: str) -> SessionView:
             for index, clip in enumerate(media[trial["clip"]] for trial in trials)
         ],
         responses={
-            index: ResponseView(revision=row.revision, answers=row.answers, comment=row.comment)
+            index: ResponseView(
+                revision=row.revision,
+                answers=row.answers,
+                touched=row.record["touched"],
+                comment=row.comment,
+            )
             for index, row in sorted(newest.items())
         },
         next=next((i for i in range(len(trials)) if i not in newest), len(trials)),

@@ -726,6 +726,8 @@ export interface components {
             answers: {
                 [key: string]: number;
             };
+            /** Touched */
+            touched: string[];
             /** Comment */
             comment: string;
         };

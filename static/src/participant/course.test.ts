@@ -47,7 +47,7 @@ describe("a person", () => {
   });
 
   it("comes back on another device where the server says", () => {
-    const stored = { revision: 1, answers: { sad_happy: 2 }, comment: "" };
+    const stored = { revision: 1, answers: { sad_happy: 2 }, touched: ["sad_happy"], comment: "" };
     expect(open(new DeviceStorage(), { 0: stored, 1: stored }).course.index).toBe(2);
   });
 

@@ -12,8 +12,8 @@ export type Session = Schemas["SessionView"];
 export type Trial = Schemas["TrialView"];
 /** An answer as it is handed in. */
 export type GivenAnswer = Schemas["Answer"];
-/** An answer that is known here; the server does not tell which scales were touched. */
-export type StoredAnswer = Schemas["ResponseView"] & { touched?: string[] };
+/** An answer that is known here. */
+export type StoredAnswer = Schemas["ResponseView"];
 
 /** How the clip was watched; counts and milliseconds, summed over reloads within the trial. */
 export interface Viewing {
@@ -118,14 +118,12 @@ export class Course {
   #learn(index: number, answer: StoredAnswer): void {
     const { revision, answers, comment, touched } = answer;
     if ((this.#known.get(index)?.revision ?? 0) > revision) return;
-    this.#known.set(index, { revision, answers, comment, ...(touched ? { touched } : {}) });
+    this.#known.set(index, { revision, answers, touched, comment });
   }
 
   #given(): Form {
-    const { study } = this.session;
     const known = this.#known.get(this.#index);
-    if (!known) return blank(study);
-    const touched = known.touched ?? study.scales.map(({ id }) => id);
-    return { answers: { ...known.answers }, touched: [...touched], comment: known.comment };
+    if (!known) return blank(this.session.study);
+    return { answers: { ...known.answers }, touched: [...known.touched], comment: known.comment };
   }
 }

@@ -83,6 +83,7 @@ def test_a_changed_answer_is_a_new_revision_that_a_reload_shows(post, client, to
     assert told["responses"]["0"] == {
         "revision": 2,
         "answers": NEUTRAL | {"sad_happy": 2},
+        "touched": sorted(NEUTRAL),
         "comment": "on second thought",
     }
     assert told["next"] == 1
