@@ -66,7 +66,7 @@ def asked(session: Session, token_hash: str, trial_index: int, revision: int) ->
     row = session.connection().execute(_ASKED, sought).one_or_none()
     if row is None:
         return None
-    return Asked(*row[:5], Stored(*row[5:]) if row.fingerprint else None)
+    return Asked(*row[:5], Stored._make(row[5:]) if row.fingerprint else None)
 
 
 def add(session: Session, **row: Any) -> None:  # noqa: ANN401 -- the columns of Response

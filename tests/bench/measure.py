@@ -12,7 +12,7 @@ RUNS = 7
 
 @dataclass(frozen=True)
 class Row:
-    """One line of the table: what was measured, by whom, how much, and the aim where there is one."""
+    """One line of the table: what was measured, of whom, how much, and the aim if there is one."""
 
     what: str
     who: str

@@ -1,4 +1,4 @@
-"""What participants wait for: the page's weight, answers a second, the figure's share of a frame."""
+"""What participants wait for: the page's weight, answers a second, the figure's part of a frame."""
 
 from __future__ import annotations
 

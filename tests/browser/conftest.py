@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.support.server import Server
 
@@ -91,4 +91,4 @@ def set_up_researcher(page: Page, server: Server) -> None:
     for field in page.locator("input[type=password]").all():
         field.fill(PASSWORD)
     page.locator("form button[type=submit]").first.click()
-    page.wait_for_url("**/research**")
+    expect(page.get_by_role("heading", name="Studies")).to_be_visible()
