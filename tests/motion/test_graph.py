@@ -1,0 +1,187 @@
+"""Motion graphs: transitions where clips are alike, and no jump on the way through."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from motion import Clip, MotionError
+from motion.graph import MotionGraph, Transition, build_graph, route
+from motion.graph_play import play
+from motion.graph_window import Windows
+from motion.kinematics import forward_kinematics
+from motion.procedural.bodies import BODIES
+from motion.procedural.library import set_a
+from motion.procedural.steering import graph_clips
+from motion.rotations import angle_between, from_axis_angle, multiply, rotate
+
+UP = np.array([0.0, 1.0, 0.0])
+
+
+@pytest.fixture(scope="module")
+def clips():
+    return graph_clips(BODIES["female"])
+
+
+@pytest.fixture(scope="module")
+def graph(clips):
+    return build_graph(clips)
+
+
+def elsewhere(clip, angle, shift):
+    """The same motion, played in another place in another heading."""
+    turn = from_axis_angle(UP, np.asarray(angle))
+    rotations = clip.rotations.copy()
+    rotations[:, 0] = multiply(turn, rotations[:, 0])
+    return replace(
+        clip, root_positions=rotate(turn, clip.root_positions) + shift, rotations=rotations
+    )
+
+
+def largest_jump(clip):
+    """Degrees that any joint turns from one frame to the next."""
+    return np.degrees(angle_between(clip.rotations[1:], clip.rotations[:-1])).max()
+
+
+def around(graph, transition, margin=10):
+    """The motion shortly before, during and shortly after a transition."""
+    start = transition.source_frame
+    if graph.clips[transition.source].cyclic:
+        start += graph.clips[transition.source].frames - 1
+    start = max(0, start - margin)
+    stop = transition.target_frame + graph.fade + margin
+    if not graph.clips[transition.target].cyclic:
+        stop = min(stop, graph.clips[transition.target].frames)
+    return play(graph, transition.source, [transition], start=start, stop=stop)
+
+
+def test_no_joint_jumps_at_any_transition(graph):
+    assert len(graph.transitions) > 50
+    for transition in graph.transitions:
+        motion = around(graph, transition)
+        assert largest_jump(motion) <= 15.0, transition
+        way = np.linalg.norm(np.diff(motion.root_positions, axis=0), axis=1)
+        assert way.max() / motion.frame_time < 2.0, transition
+
+
+def test_no_joint_jumps_between_walks_of_different_character():
+    clips = {sample.name: sample.clip for sample in set_a()}
+    graph = build_graph(clips, threshold=0.12)
+    assert len({(t.source, t.target) for t in graph.transitions if t.source != t.target}) > 5
+    for transition in graph.transitions:
+        assert largest_jump(around(graph, transition)) <= 15.0, transition
+
+
+def test_every_clip_is_reached_from_every_clip(graph, clips):
+    for source in clips:
+        for target in clips:
+            way = route(graph, source, 0, target)
+            motion = play(graph, source, way)
+            assert largest_jump(motion) <= 15.0
+            assert not way or way[-1].target == target
+
+
+def test_a_standing_body_walks_off_soon(graph):
+    for frame in range(0, 240, 20):
+        for target in ("walk", "turn_left", "turn_right"):
+            way = route(graph, "stand", frame, target)
+            ((wait, _),) = [(w, t) for w, t in graph.leaving("stand", frame) if t is way[0]]
+            assert len(way) == 1
+            assert wait <= 30
+
+
+def test_after_each_transition_another_can_follow(graph):
+    ways = set(graph.transitions)
+    for transition in graph.transitions:
+        after = graph.leaving(transition.target, transition.target_frame + graph.fade)
+        assert any(follower in ways for _, follower in after)
+
+
+def test_a_long_way_through_the_graph_stays_whole(graph, clips):
+    generator = np.random.default_rng(7)
+    here, at, way = "stand", 0, []
+    for _ in range(40):
+        leaving = graph.leaving(here, at)
+        _, transition = leaving[int(generator.integers(len(leaving)))]
+        way.append(transition)
+        here, at = transition.target, transition.target_frame + graph.fade
+    motion = play(graph, "stand", way)
+    assert largest_jump(motion) <= 15.0
+    pose = forward_kinematics(motion)
+    parents = motion.skeleton.parents[1:]
+    bones = np.linalg.norm(pose.positions[:, 1:] - pose.positions[:, parents], axis=-1)
+    expected = np.linalg.norm(motion.skeleton.offsets[1:], axis=1)
+    np.testing.assert_allclose(bones, np.broadcast_to(expected, bones.shape), atol=1e-9)
+    assert pose.positions[..., 1].min() > -0.02
+
+
+def test_distance_knows_no_place_and_no_heading(clips):
+    walk = clips["walk"]
+    moved = elsewhere(walk, 2.1, np.array([3.0, 0.0, -4.0]))
+    one, other = Windows.of(walk, 18), Windows.of(moved, 18)
+    distances = one.distances(other)
+    np.testing.assert_allclose(np.diagonal(distances), 0.0, atol=1e-6)
+    np.testing.assert_allclose(distances, one.distances(one), atol=1e-6)
+    turn, (x, z) = one.alignment(other, 50, 50)
+    assert turn == pytest.approx(-2.1)
+    back = rotate(from_axis_angle(UP, np.asarray(turn)), moved.root_positions[50])
+    np.testing.assert_allclose(back + np.array([x, 0, z]), walk.root_positions[50], atol=1e-9)
+
+
+def test_distance_is_the_least_over_all_turns_and_shifts(clips):
+    """Against a search by turning point clouds step by step."""
+    one = Windows.of(clips["walk"], 18)
+    other = Windows.of(clips["turn_left"], 18)
+    i, j = 120, 210
+    turns = np.exp(1j * np.linspace(-np.pi, np.pi, 20001))[:, None]
+    level = np.abs(one.level[i] - turns * other.level[j]) ** 2
+    upright = np.sum((one.upright[i] - other.upright[j]) ** 2)
+    expected = np.sqrt((level.sum(axis=1).min() + upright) / one.points)
+    assert one.distances(other)[i, j] == pytest.approx(expected, rel=1e-5)
+
+
+def test_a_way_without_transitions_is_the_clip(graph, clips):
+    motion = play(graph, "walk", [])
+    np.testing.assert_array_equal(motion.root_positions, clips["walk"].root_positions)
+    np.testing.assert_allclose(
+        np.abs(np.sum(motion.rotations * clips["walk"].rotations, axis=-1)), 1.0
+    )
+
+
+def test_a_cyclic_clip_walks_on_while_it_waits(clips):
+    """A transition that has been missed is taken in the next cycle, one cycle's travel farther."""
+    cycle = next(sample.clip for sample in set_a())
+    here = Transition("a", 10, "a", 10, 0.0, (0.0, 0.0), 0.0)
+    graph = MotionGraph({"a": cycle}, (here,), fade=5)
+    motion = play(graph, "a", [here], start=20, stop=40)
+    period = cycle.frames - 1
+    assert motion.frames == period - 10 + 5 + 25
+    np.testing.assert_allclose(
+        motion.root_positions[-1] - motion.root_positions[0],
+        cycle.root_positions[39] + cycle.travel - cycle.root_positions[20],
+        atol=1e-9,
+    )
+
+
+def test_what_does_not_belong_together_is_refused(graph, clips):
+    with pytest.raises(MotionError, match="at least one"):
+        build_graph({})
+    other = graph_clips(BODIES["male"])["walk"]
+    with pytest.raises(MotionError, match="skeletons"):
+        build_graph({"walk": clips["walk"], "other": other})
+    walk = clips["walk"]
+    slow = Clip(walk.skeleton, walk.root_positions, walk.rotations, 1 / 30)
+    with pytest.raises(MotionError, match="frames a second"):
+        build_graph({"walk": walk, "slow": slow})
+    with pytest.raises(MotionError, match="no clip “swim”"):
+        route(graph, "walk", 0, "swim")
+    leaving = [t for t in graph.transitions if t.source == "walk"]
+    with pytest.raises(MotionError, match="Transition 0"):
+        play(graph, "walk", leaving[:1], start=walk.frames - 1)
+
+
+def test_a_graph_becomes_plain_values(graph):
+    plain = graph.to_dict()
+    assert plain["fade"] == graph.fade
+    assert len(plain["transitions"]) == len(graph.transitions)
+    assert isinstance(plain["transitions"][0]["distance"], float)
