@@ -7,8 +7,10 @@ import json
 import pytest
 from starlette.testclient import TestClient
 
+from app.logs import configure_logs, log
 from app.persistence.engine import Database
 from app.services import researchers
+from app.settings import Settings
 from tests.app.conftest import PASSWORD, csrf_token
 
 
@@ -47,3 +49,22 @@ def test_tokens_passwords_and_addresses_are_never_logged(
         assert secret not in text
     assert "/research/set-up/{token}" in text
     assert "/take/{token}" in text
+
+
+@pytest.mark.parametrize("log_format", ["console", "json"])
+def test_a_fault_is_logged_without_the_variables_that_it_met(
+    settings: Settings, capsys: pytest.CaptureFixture[str], log_format: str
+) -> None:
+    configure_logs(settings.model_copy(update={"log_format": log_format}))
+    password = PASSWORD.upper()
+    try:
+        _fail_with(password)
+    except RuntimeError:
+        log.exception("unforeseen fault")
+    text = capsys.readouterr().err
+    assert "RuntimeError: broken" in text
+    assert password not in text
+
+
+def _fail_with(password: str) -> None:
+    raise RuntimeError("broken" if password else "")
