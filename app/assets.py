@@ -36,9 +36,6 @@ class Assets:
         if entry.endswith(".svg"):
             icon = Markup('<link rel="icon" type="image/svg+xml" href="/static/{}">')
             return icon.format(manifest[entry]["file"])
-        if entry.endswith(".svg"):
-            icon = Markup('<link rel="icon" type="image/svg+xml" href="/static/{}">')
-            return icon.format(manifest[entry]["file"])
         chunks = _with_imports(manifest, entry)
         styles = dict.fromkeys(css for chunk in chunks for css in chunk.get("css", ()))
         lines = [Markup('<link rel="stylesheet" href="/static/{}">').format(css) for css in styles]
