@@ -52,7 +52,7 @@ def serve(
     database = _prepared_database(settings)
     with database.writing() as db:
         if not researchers.any_exists(db):
-            _print_link(researchers.make_setup_link(db, settings.public_url))
+            _print_link(researchers.make_setup_link(db, _address(settings, host, port)))
     database.engine.dispose()
     typer.echo(f"Manner listens on http://{host}:{port}", err=True)
     uvicorn.run(
@@ -135,6 +135,14 @@ def _prepared_database(settings: Settings) -> Database:
         console.print("The database is not prepared. Run: manner prepare")
         raise typer.Exit(1)
     return database
+
+
+def _address(settings: Settings, host: str, port: int) -> str:
+    """Where people reach the server: what the operator has said, else where it listens."""
+    if "public_url" in settings.model_fields_set:
+        return settings.public_url
+    anywhere = host in ("0.0.0.0", "::")  # noqa: S104 -- compared, not listened on
+    return f"http://{'127.0.0.1' if anywhere else host}:{port}"
 
 
 def _print_link(link: str) -> None:

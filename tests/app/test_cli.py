@@ -79,6 +79,25 @@ def test_the_set_up_link_stands_whole_on_one_line(settings: Settings) -> None:
     assert re.search(r"^ +http://127\.0\.0\.1:8000/research/set-up/[\w-]{32}$", output, re.M)
 
 
+@pytest.mark.parametrize(
+    ("public_url", "words", "address"),
+    [
+        (None, ["--port", "8110"], "http://127.0.0.1:8110"),
+        (None, ["--host", "0.0.0.0"], "http://127.0.0.1:8000"),
+        ("https://study.example.org", ["--port", "8110"], "https://study.example.org"),
+    ],
+)
+def test_the_first_start_links_to_where_the_server_is_reached(
+    settings: Settings, monkeypatch: pytest.MonkeyPatch,
+    public_url: str | None, words: list[str], address: str,
+) -> None:  # fmt: skip
+    run("prepare")
+    monkeypatch.setattr("uvicorn.run", lambda *_, **__: None)
+    if public_url:
+        monkeypatch.setenv("MANNER_PUBLIC_URL", public_url)
+    assert f"  {address}/research/set-up/" in run("serve", *words).output
+
+
 def test_the_openapi_document_is_printed_without_touching_a_database(settings: Settings) -> None:
     result = run("openapi")
     assert json.loads(result.stdout)["openapi"].startswith("3.")
