@@ -95,6 +95,15 @@ def test_a_part_of_an_older_file_is_answered_with_the_whole(
     assert response.content == CONTENT
 
 
+def test_a_part_that_cannot_be_meant_is_answered_with_the_whole(
+    client: TestClient, stored: str
+) -> None:
+    for wanted in (f"bytes={'9' * 5000}-", f"bytes=0-{'9' * 5000}", "bytes=-", "lines=0-9"):
+        response = client.get(URL, headers={"Range": wanted} | PLAIN)
+        assert response.status_code == 200
+        assert response.content == CONTENT
+
+
 def test_nothing_but_glb_files_is_given_out(client: TestClient, database: Database) -> None:
     with database.writing() as db:
         source = blobs.put(db, b"HIERARCHY of a person", blobs.BVH)
