@@ -6,9 +6,9 @@ import pytest
 from starlette.testclient import TestClient
 
 from app.persistence.engine import Database
-from app.services import samples
+from app.services import downloads, samples
 from motion.bvh import read_bvh
-from tests.app.conftest import Researching
+from tests.app.conftest import Researching, built_once
 from tests.support.motions import walk, walk_bvh, walks
 
 
@@ -96,6 +96,21 @@ def test_a_clip_is_taken_home_as_glb_with_its_figure(client: TestClient, samples
     assert b'"skins"' in response.content
     assert b'"animations"' in response.content
     assert b'"skins"' not in client.get(url).content
+
+
+def test_the_figure_of_a_skeleton_is_built_once_for_all_its_downloads(
+    client: TestClient, samples_made: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    built = []
+    monkeypatch.setattr(downloads, "_figures", {})
+    monkeypatch.setattr("motion.figure.build_figure", lambda clip: built.append(clip) or mesh)
+    mesh = built_once(walk())
+    same = [w.clip for w in walks() if w.clip.skeleton.content_hash == mesh.skeleton.content_hash]
+    assert len(same) > 1
+    for clip in same:
+        response = client.get(f"/api/v1/clips/{clip.content_hash}/download.glb")
+        assert b'"skins"' in response.content
+    assert len(built) == 1
 
 
 def test_samples_cannot_be_deleted(signed_in: Researching, samples_made: int) -> None:
