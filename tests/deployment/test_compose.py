@@ -49,6 +49,18 @@ def test_only_the_proxy_can_be_reached_from_outside_when_scaled(compose):
     assert scaled["web"]["deploy"]["replicas"] >= 2
 
 
+def test_servers_behind_the_proxy_take_its_word_on_where_visitors_come_from(compose):
+    """Otherwise everybody would share the proxy's address, and one count of failed sign-ins."""
+    assert compose["services"]["web"]["environment"]["MANNER_TRUSTED_PROXIES"] == "*"
+    assert compose["services"]["web"]["networks"] == ["inside"]
+    assert "ports" not in compose["services"]["web"]
+
+
+def test_the_single_server_can_be_told_its_address_and_its_proxy(compose):
+    passed_on = compose["services"]["server"]["environment"]
+    assert passed_on == {"MANNER_PUBLIC_URL": None, "MANNER_TRUSTED_PROXIES": None}
+
+
 def test_no_secret_stands_in_the_file(compose):
     for name, service in compose["services"].items():
         for key, value in service.get("environment", {}).items():
