@@ -93,6 +93,14 @@ def database_url(migrated_database: str, tmp_path: Path) -> Iterator[str]:
 
 
 @pytest.fixture
+def empty_postgresql(postgresql: str) -> Iterator[str]:
+    """URL of a fresh database of the run's PostgreSQL server, without tables."""
+    url = _new_postgresql(postgresql, template="template1")
+    yield url
+    _drop(url)
+
+
+@pytest.fixture
 def engine(database_url: str) -> Iterator[Engine]:
     engine = make_engine(database_url)
     yield engine

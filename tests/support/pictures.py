@@ -10,12 +10,16 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import BrowserContext, Page, sync_playwright
+from sqlalchemy import select
+from sqlalchemy.orm import Session
 
 from app.persistence.engine import Database, make_engine
+from app.persistence.models import StudySession
 from tests.browser.conftest import CHROMIUM_ARGUMENTS, DESKTOP, PHONE, set_up_researcher
 from tests.browser.participant import begin, step
 from tests.support.server import Server
@@ -38,7 +42,7 @@ def main() -> None:
                 browser = playwright.chromium.launch(
                     executable_path=chromium, args=CHROMIUM_ARGUMENTS
                 )
-                take_all(browser, server)
+                take_all(browser.new_context(), server)
         finally:
             server.stop()
 
@@ -56,22 +60,35 @@ def prepared_server(folder: Path) -> Server:
             return done
 
     simulate(write, PARTICIPANTS)
+    write(take_their_time)
     database.engine.dispose()
     return Server(folder)
 
 
-def take_all(browser: Browser, server: Server) -> None:
+def take_their_time(db: Session) -> None:
+    """Simulated participants answer at once; let each have begun some minutes earlier."""
+    for index, session in enumerate(db.scalars(select(StudySession))):
+        session.consented_at -= timedelta(minutes=8 + index % 7, seconds=7 * index)
+
+
+def take_all(context: BrowserContext, server: Server) -> None:
     """Every picture, participant's pages first."""
+    # Without a graphics card the viewer would choose its plain shading.
+    context.add_init_script("sessionStorage.setItem('manner-tier', 'full')")
     for name, viewport in (("desktop", DESKTOP), ("phone", PHONE)):
-        page = browser.new_page(viewport=viewport)
+        page = context.new_page()
+        page.set_viewport_size(viewport)
         page.goto(f"{server.url}/studies/emotion-in-walking")
         shot(page, f"welcome-{name}")
         begin(page, server)
         for scale, value in enumerate((-2, -1, 1, -1)):
             step(page, scale, value).check(force=True)
+        page.evaluate("document.querySelector('.panel-scroll').scrollTo(0, 0)")
         shot(page, f"trial-{name}")
+        page.context.clear_cookies()
         page.close()
-    page = browser.new_page(viewport=DESKTOP)
+    page = context.new_page()
+    page.set_viewport_size(DESKTOP)
     set_up_researcher(page, server)
     clip = walking_clip(page, server)
     for scheme in ("light", "dark"):
@@ -93,7 +110,7 @@ def walking_clip(page: Page, server: Server) -> str:
 def shot(page: Page, name: str, *, full: bool = False) -> None:
     """One picture, once everything on the page has arrived and the figures have been drawn."""
     page.wait_for_load_state("networkidle")
-    page.wait_for_timeout(4000)
+    page.wait_for_timeout(9000)
     page.screenshot(path=FOLDER / f"{name}.png", full_page=full)
 
 
