@@ -110,6 +110,10 @@ def walking_clip(page: Page, server: Server) -> str:
 def shot(page: Page, name: str, *, full: bool = False) -> None:
     """One picture, once everything on the page has arrived and the figures have been drawn."""
     page.wait_for_load_state("networkidle")
+    if full:  # figures that never were in view are not drawn
+        page.keyboard.press("End")
+        page.wait_for_timeout(6000)
+        page.keyboard.press("Home")
     page.wait_for_timeout(9000)
     page.screenshot(path=FOLDER / f"{name}.png", full_page=full)
 
