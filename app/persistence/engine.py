@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from sqlalchemy import Connection, Engine, create_engine, event, make_url
-from sqlalchemy.engine.interfaces import DBAPIConnection
+from sqlalchemy.engine.interfaces import DBAPIConnection, ExceptionContext
+from sqlalchemy.exc import DataError
 from sqlalchemy.orm import Session, sessionmaker
 from sqlalchemy.pool import ConnectionPoolEntry, QueuePool
+
+from app.errors import InvalidError
 
 BUSY_TIMEOUT_MS = 10_000
 
@@ -13,7 +16,9 @@ BUSY_TIMEOUT_MS = 10_000
 def make_engine(url: str) -> Engine:
     """An engine for the database at ``url``; parameters never reach error messages or logs."""
     if make_url(url).get_backend_name() != "sqlite":
-        return create_engine(url, hide_parameters=True, pool_pre_ping=True, pool_size=10)
+        engine = create_engine(url, hide_parameters=True, pool_pre_ping=True, pool_size=10)
+        event.listen(engine, "handle_error", _refuse_what_does_not_fit)
+        return engine
     # Every thread of the pool may hold a connection while its response is being sent.
     engine = create_engine(
         url, hide_parameters=True, poolclass=QueuePool, pool_size=10, max_overflow=50
@@ -43,6 +48,15 @@ class Database:
             self.writing = sessionmaker[Session](
                 engine.execution_options(writes=True), expire_on_commit=False
             )
+
+
+def _refuse_what_does_not_fit(context: ExceptionContext) -> None:
+    """PostgreSQL refuses text with NUL, or too long, already in a search: the request's fault."""
+    if isinstance(context.sqlalchemy_exception, DataError):
+        raise InvalidError(
+            "The request holds text or numbers that cannot be stored.",
+            mend="Take out unusual characters, or shorten it.",
+        ) from context.original_exception
 
 
 def _prepare_sqlite(connection: DBAPIConnection, _: ConnectionPoolEntry) -> None:

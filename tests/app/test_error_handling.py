@@ -10,6 +10,7 @@ from starlette.testclient import TestClient
 from app import errors
 from app.main import create_app
 from app.settings import Settings
+from tests.app.conftest import csrf_token
 
 DETAILED = errors.ConflictError(
     "It is taken.", code="taken", where={"line": 3}, mend="Take another.", extra={"offer": "b"}
@@ -93,6 +94,20 @@ def test_an_unforeseen_fault_shows_its_number_and_nothing_else(faulty_client: Te
     assert response.headers["x-request-id"] in response.text
     assert "secret detail" not in response.text
     assert "default-src 'none'" in response.headers["content-security-policy"]
+
+
+@pytest.mark.parametrize("path", ["/studies/%00", "/library/a%00b", "/api/v1/clips/%00"])
+def test_an_address_that_no_database_can_look_up_is_no_fault_of_ours(
+    client: TestClient, path: str
+) -> None:
+    response = client.get(path)
+    assert response.status_code in (404, 422)
+    assert "internal" not in response.text
+
+
+def test_a_form_that_no_database_can_look_up_is_refused(client: TestClient) -> None:
+    form = {"email": "a\0b", "password": "long enough", "csrf_token": csrf_token(client)}
+    assert client.post("/research/sign-in", data=form).status_code == 422
 
 
 def test_every_kind_of_error_has_a_status_of_its_own() -> None:
