@@ -7,6 +7,8 @@ from typing import Annotated, Self
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 Text = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=2000)]
+Short = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=64)]
+Title = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=200)]
 Slug = Annotated[str, StringConstraints(pattern=r"^[a-z0-9]+(-[a-z0-9]+)*$", max_length=100)]
 Name = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9_]*$", max_length=60)]
 
@@ -29,7 +31,7 @@ class Term(Part):
 class Consent(Part):
     """What a participant agrees to. A new wording needs a new version."""
 
-    version: Text
+    version: Short
     heading: Text
     terms: tuple[Term, ...]
     statement: Text
@@ -92,7 +94,7 @@ class StudyDefinition(Part):
     """
 
     slug: Slug
-    title: Text
+    title: Title
     welcome: Welcome
     consent: Consent
     question: Text

@@ -51,11 +51,19 @@ def test_whatever_is_changed_changes_the_hash(stimuli):
         ({"slug": "Not A Slug"}, "pattern"),
         ({"stimuli": []}, "at least 1"),
         ({"contact": "nobody"}, "pattern"),
+        ({"title": "t" * 201}, "at most 200"),
     ],
 )
 def test_a_study_file_that_makes_no_sense_is_refused_with_the_reason(stimuli, change, told):
     with pytest.raises(ValidationError, match=told):
         StudyDefinition.model_validate(demonstration(stimuli).model_dump() | change)
+
+
+def test_a_consent_version_that_no_session_could_store_is_refused(stimuli):
+    file = demonstration(stimuli).model_dump()
+    file["consent"]["version"] = "v" * 65
+    with pytest.raises(ValidationError, match="at most 64"):
+        StudyDefinition.model_validate(file)
 
 
 def test_a_clip_or_a_scale_listed_twice_is_refused(stimuli):
