@@ -10,8 +10,8 @@ and the distance a matrix product, so all pairs of frames are compared at once.
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -115,6 +115,34 @@ def build_graph(
     search = _Search(windows, threshold, round(_APART / step))
     found = [t for source, target in product(clips, clips) for t in search.between(source, target)]
     return _strongly_connected(MotionGraph(dict(clips), tuple(found), frames))
+
+
+def edit_graph(graph: MotionGraph, edit: Callable[[Clip], Clip]) -> MotionGraph:
+    """The graph with every clip edited; its transitions stay, fitted to the new motions.
+
+    Args:
+        graph: of the original clips.
+        edit: changes how a clip is done, not its skeleton, frames or frame time.
+
+    Raises:
+        MotionError: if an edit changes what it must not.
+    """
+    clips = {name: edit(clip) for name, clip in graph.clips.items()}
+    _common_frame_time(clips)
+    for name, clip in clips.items():
+        if clip.frames != graph.clips[name].frames:
+            raise MotionError(
+                f"The edit gives “{name}” {clip.frames} frames instead of "
+                f"{graph.clips[name].frames}: transitions would lose their places."
+            )
+    windows = {name: Windows.of(clip, graph.fade) for name, clip in clips.items()}
+    fitted = []
+    for old in graph.transitions:
+        one, other = windows[old.source], windows[old.target]
+        turn, shift = one.alignment(other, old.source_frame, old.target_frame)
+        distance = one.distance(other, old.source_frame, old.target_frame)
+        fitted.append(replace(old, turn=turn, shift=shift, distance=distance))
+    return MotionGraph(clips, tuple(fitted), graph.fade)
 
 
 def route(

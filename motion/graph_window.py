@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,6 +75,14 @@ class Windows:
         upright = _squares(self.upright)[:, None] + _squares(other.upright)
         upright -= 2.0 * self.upright @ other.upright.T
         return np.sqrt(np.maximum(level + upright, 0.0) / self.points)
+
+    def distance(self, other: Windows, here: int, there: int) -> float:
+        """m, between one window and one of the other's, fitted onto it."""
+        one, two = (
+            replace(w, level=w.level[i : i + 1], upright=w.upright[i : i + 1])
+            for w, i in ((self, here), (other, there))
+        )
+        return float(one.distances(two)[0, 0])
 
     def alignment(self, other: Windows, here: int, there: int) -> tuple[float, tuple[float, float]]:
         """Turn (rad about the vertical) and shift (x, z) that fit the other's window onto ours."""

@@ -9,7 +9,7 @@ from motion.quality.feet import imbalance, slips, sunk
 from motion.quality.jerk import jerks
 from motion.quality.joints import bends
 from motion.quality.limbs import intersections
-from motion.quality.pair import Pair
+from motion.quality.pair import matched
 from motion.quality.report import QualityReport
 
 _MEASURES = (slips, sunk, bends, intersections, imbalance, jerks)
@@ -20,12 +20,13 @@ def check(original: Clip, edited: Clip) -> QualityReport:
 
     Args:
         original: tells when feet stand and what the recording itself does beyond the limits.
-        edited: the same skeleton, frames and frame time.
+        edited: the same skeleton. If it lasts longer or has another frame rate, it is compared
+            with the original stretched evenly to its frames.
 
     Raises:
         MotionError: if the two clips cannot be compared, or a limb's body roles are missing.
     """
-    pair = Pair(original, edited)
+    pair = matched(original, edited)
     findings = [
         finding
         for measures in _MEASURES

@@ -8,9 +8,11 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 from motion.clip import Clip
 from motion.editing.foot_plants import Foot, find_feet
+from motion.editing.timing import resample
 from motion.errors import MotionError
 from motion.kinematics import WorldPose, forward_kinematics
 from motion.standing import standing_rotations
@@ -18,29 +20,33 @@ from motion.standing import standing_rotations
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class Pair:
-    """The clip before and after an edit, frame by frame.
+def matched(original: Clip, edited: Clip) -> Pair:
+    """The two clips frame by frame; an edit that lasts longer is compared with a slower original.
 
     Raises:
-        MotionError: if the two do not share skeleton, frames and frame time.
+        MotionError: if their skeletons differ.
     """
+    if original.skeleton.content_hash != edited.skeleton.content_hash:
+        raise MotionError("An edit is judged against the same skeleton; these two differ.")
+    if (original.frames, original.frame_time) == (edited.frames, edited.frame_time):
+        return Pair(original, edited)
+    if min(original.frames, edited.frames) < 2:
+        raise MotionError(
+            f"An edited clip of {edited.frames} frames cannot be judged against one of "
+            f"{original.frames}."
+        )
+    at = np.linspace(0.0, original.frames - 1.0, edited.frames)
+    root = CubicSpline(np.arange(original.frames), original.root_positions)(at)
+    slower = Clip(original.skeleton, root, resample(original.rotations, at), edited.frame_time)
+    return Pair(slower, edited)
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """The clip before and after an edit, frame by frame; see ``matched``."""
 
     original: Clip
     edited: Clip
-
-    def __post_init__(self) -> None:
-        if self.original.skeleton.content_hash != self.edited.skeleton.content_hash:
-            raise MotionError("An edit is judged against the same skeleton; these two differ.")
-        if (self.original.frames, self.original.frame_time) != (
-            self.edited.frames,
-            self.edited.frame_time,
-        ):
-            raise MotionError(
-                f"An edit is judged frame by frame: the original has {self.original.frames} "
-                f"frames of {self.original.frame_time:.4g} s, the edited clip "
-                f"{self.edited.frames} of {self.edited.frame_time:.4g} s."
-            )
 
     @property
     def roles(self) -> Mapping[str, int]:

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from motion import Clip, MotionError
-from motion.graph import MotionGraph, Transition, build_graph, route
+from motion.editing.foot_repair import repair_feet
+from motion.editing.path_length import PathLength, change_path_length
+from motion.graph import MotionGraph, Transition, build_graph, edit_graph, route
 from motion.graph_play import play
 from motion.graph_window import Windows
 from motion.kinematics import forward_kinematics
@@ -113,6 +115,41 @@ def test_a_long_way_through_the_graph_stays_whole(graph, clips):
     expected = np.linalg.norm(motion.skeleton.offsets[1:], axis=1)
     np.testing.assert_allclose(bones, np.broadcast_to(expected, bones.shape), atol=1e-9)
     assert pose.positions[..., 1].min() > -0.02
+
+
+@pytest.mark.parametrize("gain", [0.4, 1.6])
+def test_edited_clips_follow_each_other_as_smoothly(graph, gain):
+    """Path length as the character walks: every node goes through the editing."""
+
+    def edit(clip):
+        return repair_feet(clip, change_path_length(clip, PathLength(gain)))
+
+    edited = edit_graph(graph, edit)
+    assert [(t.source, t.source_frame, t.target, t.target_frame) for t in edited.transitions] == [
+        (t.source, t.source_frame, t.target, t.target_frame) for t in graph.transitions
+    ]
+    for transition in edited.transitions:
+        motion = around(edited, transition)
+        assert largest_jump(motion) <= 15.0, transition
+        way = np.linalg.norm(np.diff(motion.root_positions, axis=0), axis=1)
+        assert way.max() / motion.frame_time < 3.0, transition
+
+
+def test_an_edit_that_changes_nothing_leaves_the_graph_as_it_is(graph):
+    same = edit_graph(graph, lambda clip: clip)
+    for one, other in zip(graph.transitions, same.transitions, strict=True):
+        assert (one.turn, one.shift) == (other.turn, other.shift)
+        assert other.distance == pytest.approx(one.distance, abs=1e-6)
+    with pytest.raises(MotionError, match="frames instead of"):
+        edit_graph(
+            graph,
+            lambda clip: replace(
+                clip,
+                root_positions=clip.root_positions[:-9],
+                rotations=clip.rotations[:-9],
+                cyclic=False,
+            ),
+        )
 
 
 def test_distance_knows_no_place_and_no_heading(clips):
