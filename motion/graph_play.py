@@ -66,6 +66,9 @@ def play(
 ) -> Clip:
     """The motion along a way through the graph.
 
+    While two clips cross-fade a planted foot may slide by up to 3 cm; ``repair_feet(clip, clip)``
+    makes it stand.
+
     Args:
         graph: clips and transitions.
         clip: name of the first clip, played in its own place.

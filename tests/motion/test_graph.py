@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from motion import Clip, MotionError
+from motion.editing.foot_plants import find_feet, runs
 from motion.editing.foot_repair import repair_feet
 from motion.editing.path_length import PathLength, change_path_length
 from motion.graph import MotionGraph, Transition, build_graph, edit_graph, route
@@ -150,6 +151,19 @@ def test_an_edit_that_changes_nothing_leaves_the_graph_as_it_is(graph):
                 cyclic=False,
             ),
         )
+
+
+def test_repaired_feet_stand_all_the_way(graph):
+    motion = play(graph, "stand", route(graph, "stand", 0, "turn_left"))
+    repaired, slips = repair_feet(motion, motion), []
+    pose = forward_kinematics(repaired)
+    for foot in find_feet(motion):
+        for point, planted in zip(foot.points, foot.planted, strict=True):
+            places = point.positions(pose)[:, [0, 2]]
+            slips += [np.linalg.norm(places[p] - places[p][0], axis=1).max() for p in runs(planted)]
+    assert len(slips) > 10
+    assert max(slips) < 0.005
+    assert largest_jump(repaired) <= 15.0
 
 
 def test_distance_knows_no_place_and_no_heading(clips):

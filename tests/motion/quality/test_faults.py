@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from motion import MotionError
+from motion.body import REQUIRED
 from motion.centre_of_mass import centre_of_mass
 from motion.editing.foot_plants import find_feet
 from motion.editing.path_length import PathLength, change_path_length
@@ -192,6 +193,25 @@ def test_a_clip_that_is_only_slower_or_quicker_is_clean(knocking, times):
     resampled = matched(knocking, longer(knocking, round(knocking.frames * times))).original
     assert resampled.frames == round(knocking.frames * times)
     assert check(knocking, resampled).findings == ()
+
+
+@pytest.mark.parametrize("frames", [1, 2, 3, 4, 5, 9])
+def test_the_shortest_clips_are_judged_as_well(knocking, frames):
+    brief = replace(
+        knocking,
+        root_positions=knocking.root_positions[:frames],
+        rotations=knocking.rotations[:frames],
+    )
+    assert check(brief, brief).clean
+    assert not check(brief, moved(brief, -0.2 * Y, slice(None))).clean
+
+
+def test_a_body_known_by_its_required_roles_alone_is_judged(knocking):
+    roles = {role: knocking.skeleton.roles[role] for role in REQUIRED}
+    clip = replace(knocking, skeleton=knocking.skeleton.with_roles(roles))
+    assert check(clip, clip).clean
+    sunk = check(clip, moved(clip, -0.2 * Y, slice(None)))
+    assert {finding.kind for finding in sunk.findings} == {"floor"}
 
 
 def longer(clip, frames):

@@ -3,8 +3,12 @@
 import numpy as np
 import pytest
 
+from motion import Clip, Skeleton
+from motion.kinematics import forward_kinematics
 from motion.quality.feet import distance_outside
+from motion.quality.jerk import jerk
 from motion.quality.limbs import Capsule, depth
+from motion.quality.pair import Pair
 from motion.rotations import from_axis_angle, multiply
 from motion.segment_angles import X, Y, Z, twist
 
@@ -46,3 +50,21 @@ def test_a_twist_is_what_is_left_of_a_turn_without_its_swing(axis, angle):
     across = from_axis_angle(np.eye(3)[(axis + 1) % 3], np.asarray(0.7))
     for sign in (1.0, -1.0):  # a rotation has two quaternions
         assert twist(sign * multiply(across, turn), axis) == pytest.approx(angle)
+
+
+def test_the_jerk_of_a_swing_is_that_of_its_sine():
+    """A·ω³/√2, less what the smoothing (a Gaussian of 0.02 s) takes from a wave of that period."""
+    names, parents = ("hips", "head"), np.array([-1, 0])
+    skeleton = Skeleton(
+        names, parents, np.array([[0, 1, 0], [0, 0.5, 0]], float), roles={"hips": 0, "head": 1}
+    )
+    step, omega, angle = 1 / 120, 2 * np.pi * 3.0, 0.02
+    times = np.arange(600) * step
+    rotations = np.zeros((600, 2, 4))
+    rotations[:, 1, 0] = 1.0
+    rotations[:, 0] = from_axis_angle(np.array([1.0, 0, 0]), angle * np.sin(omega * times))
+    clip = Clip(skeleton, np.zeros((600, 3)), rotations, step)
+    found = jerk(Pair(clip, clip), forward_kinematics(clip), "head")
+    smoothing = np.exp(-((omega * 0.02) ** 2) / 2)
+    expected = 0.5 * angle * omega**3 / np.sqrt(2) * smoothing
+    assert np.sqrt(np.mean(found[100:500] ** 2)) == pytest.approx(expected, rel=0.02)
