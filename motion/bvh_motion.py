@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from motion.bvh_hierarchy import BvhJoint, describe_channel
 from motion.bvh_numbers import BadNumberError, Numbers, parse_numbers
-from motion.bvh_text import Limits, Note, Scanner, counted, fault_at, place, quote
+from motion.bvh_text import LARGEST, Limits, Note, Scanner, counted, fault_at, place, quote
 from motion.errors import BvhSyntaxError, Fault
 
 Array = NDArray[np.float64]
@@ -223,28 +223,29 @@ class _ValueReader:
         return fault_at(self.data, offset, problem, fault)
 
     def refuse_gaps(self, values: Array) -> None:
-        """Raise at the first value that is not finite."""
-        if np.isfinite(values).all():
+        """Raise at the first value that is no usable number."""
+        # False with a NaN among them. Two passes without memory of their own: most files end here.
+        if values.min(initial=0.0) >= -LARGEST and values.max(initial=0.0) <= LARGEST:
             return
-        index = int(np.flatnonzero(~np.isfinite(values.ravel()))[0])
+        index = int(np.flatnonzero(_gaps(values))[0])
         match = next(
             match
             for count, match in enumerate(_NUMBER.finditer(self.data, self.start))
             if count == index
         )
         problem = (
-            f"{quote(match.group())} is not a finite number. Import with gaps filled, "
-            "or mend the value in the program that wrote it."
+            f"{quote(match.group())} is not a finite number of usable size. Import with gaps "
+            "filled, or mend the value in the program that wrote it."
         )
         raise self._fault(match.start(), index, problem, "fill_gaps")
 
     def fill(self, values: Array) -> None:
-        """Replace what is not finite by interpolation in time, in place.
+        """Replace what is no usable number by interpolation in time, in place.
 
         Raises:
-            BvhSyntaxError: if a channel has no finite value at all.
+            BvhSyntaxError: if a channel has no usable value at all.
         """
-        gaps = ~np.isfinite(values)
+        gaps = _gaps(values)
         frames = np.arange(len(values))
         for column in np.flatnonzero(gaps.any(axis=0)):
             joint, channel = describe_channel(self.joints, int(column))
@@ -260,3 +261,8 @@ class _ValueReader:
             what = counted(len(missing), "missing value")
             text = f"{what} of {joint}, {channel} filled by interpolation"
             self.notes.append(Note(text, where=spread))
+
+
+def _gaps(values: Array) -> NDArray[np.bool_]:
+    """Which values (T, C) are missing, infinite or too large to compute with."""
+    return ~(np.abs(values) <= LARGEST)

@@ -12,6 +12,7 @@ _TOKEN = re.compile(rb"[{}]|[^\s{}]+")
 _REST_OF_LINE = re.compile(rb"[^\r\n]*")
 # A brace that opens a block, not the second byte of a Japanese character in Shift JIS.
 _OPENING_BRACE = re.compile(rb"(?<![\x80-\xff])\{")
+LARGEST = 1e30  # a number beyond, or its square, would not fit what is computed and written later
 _CONTEXT_WIDTH = 64  # characters of a line shown around a fault
 
 
@@ -155,7 +156,7 @@ class Scanner:
             raise self.error(f"Expected {token.decode()} {why}, found {quote(found)}.")
 
     def number(self, what: str) -> float:
-        """The next token as a finite decimal number."""
+        """The next token as a decimal number of usable size."""
         token = self.next()
         if b"," in token and b"." not in token:
             self.decimal_comma = self.start if self.decimal_comma is None else self.decimal_comma
@@ -166,7 +167,7 @@ class Scanner:
             value = float(token) if b"_" not in token else math.nan
         except ValueError:
             value = math.nan
-        if not math.isfinite(value):
+        if not abs(value) <= LARGEST:
             raise self.error(f"Expected a number for {what}, found {quote(token)}.")
         return value
 

@@ -53,6 +53,21 @@ def test_a_number_without_end_is_refused():
     assert peak_of_refusal(data, "is not a number") < 20_000_000
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "match"),
+    [
+        (b"OFFSET 0", b"OFFSET 1e200", "OFFSET of"),
+        (b"Frame Time: ", b"Frame Time: 1e308 ", "Expected a number for the Frame Time"),
+        (b"\n1 2 3", b"\n1e200 2 3", "frame 1.*not a finite number of usable size"),
+    ],
+)
+def test_numbers_too_large_to_compute_with_are_refused(before, after, match):
+    data = two_joints(ROW)
+    assert before in data
+    with pytest.raises(BvhSyntaxError, match=match):
+        read_bvh(data.replace(before, after, 1))
+
+
 def test_a_name_without_end_is_cut_in_messages():
     data = b"HIERARCHY\n" + b"x" * 1_000_000
     with pytest.raises(BvhSyntaxError) as caught:
