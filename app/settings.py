@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import secrets
 from contextlib import suppress
 from functools import cached_property
@@ -64,7 +63,7 @@ class Settings(BaseSettings):
     def signing_key(self) -> str:
         """The key that signs cookies: the given one, or one made once in the data directory."""
         if self.secret_key is not None:
-            return self.secret_key.get_secret_value()
+            return _long_enough(self.secret_key.get_secret_value(), "MANNER_SECRET_KEY")
         if self.secret_key_file is not None:
             return _read_key(self.secret_key_file)
         path = self._made_data_directory() / "secret_key"
@@ -79,8 +78,9 @@ class Settings(BaseSettings):
 
 def _make_key(path: Path) -> None:
     # Written aside and then linked: of two servers that start at once, both read the same key.
-    aside = path.with_name(f".{path.name}.{os.getpid()}")
-    aside.touch(mode=0o600)
+    # Drawn by lot, because processes of two containers may have the same number.
+    aside = path.with_name(f".{path.name}.{secrets.token_hex(8)}")
+    aside.touch(mode=0o600, exist_ok=False)
     aside.write_text(secrets.token_urlsafe(48))
     with suppress(FileExistsError):
         path.hardlink_to(aside)
@@ -88,7 +88,10 @@ def _make_key(path: Path) -> None:
 
 
 def _read_key(path: Path) -> str:
-    key = path.read_text().strip()
+    return _long_enough(path.read_text().strip(), str(path))
+
+
+def _long_enough(key: str, place: str) -> str:
     if len(key) < 32:
-        raise ValueError(f"{path} holds no usable key: it needs 32 characters or more.")
+        raise ValueError(f"{place} holds no usable key: it needs 32 characters or more.")
     return key

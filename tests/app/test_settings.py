@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import stat
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -44,6 +45,18 @@ def test_a_truncated_key_file_stops_the_start(tmp_path: Path) -> None:
     (tmp_path / "secret_key").write_text("short")
     with pytest.raises(ValueError, match="secret_key holds no usable key"):
         _ = Settings(data_directory=tmp_path).signing_key
+
+
+def test_a_short_key_stops_the_start() -> None:
+    with pytest.raises(ValueError, match="MANNER_SECRET_KEY holds no usable key"):
+        _ = Settings(secret_key="short").signing_key
+
+
+def test_servers_that_start_at_once_read_the_same_key(tmp_path: Path) -> None:
+    with ThreadPoolExecutor(8) as pool:
+        keys = pool.map(lambda _: Settings(data_directory=tmp_path).signing_key, range(64))
+        assert len(set(keys)) == 1
+    assert [file.name for file in tmp_path.iterdir()] == ["secret_key"]
 
 
 def test_secrets_come_from_files_and_stay_out_of_the_representation(tmp_path: Path) -> None:
