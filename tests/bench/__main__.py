@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 import tempfile
 from pathlib import Path
@@ -38,7 +39,8 @@ def table(rows: list[Row]) -> Table:
     for row in rows:
         spread = f"{row.spread[0]:,.1f} … {row.spread[1]:,.1f}" if row.spread else ""
         subject = row.what if row.what != before else ""
-        result.add_row(subject, row.who, f"{row.value:,.1f}", row.unit, spread, row.aim)
+        median = "–" if math.isnan(row.value) else f"{row.value:,.1f}"
+        result.add_row(subject, row.who, median, row.unit, spread, row.aim)
         before = row.what
     return result
 

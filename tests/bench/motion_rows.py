@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import gzip
 import io
+import math
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -75,7 +76,19 @@ def parsing(what: str, path: Path, aim: str, *, slow_peers: bool = True) -> list
     if slow_peers:
         contenders["PyMotion"] = quietly(lambda: BVH().load(str(path)))
         contenders["bvhio"] = quietly(lambda: bvhio.readAsBvh(str(path)))
-    return rates(what, contenders, path.stat().st_size / 1e6, "MB/s", aim)
+    able = {who: read for who, read in contenders.items() if _reads(read)}
+    measured = rates(what, able, path.stat().st_size / 1e6, "MB/s", aim)
+    refused = [Row(what, who, math.nan, "cannot read it") for who in contenders if who not in able]
+    return measured + refused
+
+
+def _reads(read: Callable[[], object]) -> bool:
+    """Whether a package reads the file at all; ours must."""
+    try:
+        read()
+    except Exception:
+        return False
+    return True
 
 
 def kinematics(clip: Clip, path: Path) -> list[Row]:
@@ -88,7 +101,8 @@ def kinematics(clip: Clip, path: Path) -> list[Row]:
     contenders: dict[str, Callable[[], object]] = {
         "Manner": lambda: forward_kinematics(clip),
         "PyMotion": lambda: pymotion_fk(clip.rotations, clip.root_positions, offsets, parents),
-        "pybvh": quietly(lambda: theirs.node_positions()),
+        # Not its node_positions(), which computes once and then hands out copies.
+        "pybvh": quietly(lambda: pybvh.frames_to_node_positions(theirs)),
     }
     work = clip.frames * len(skeleton) / 1e6
     return rates("Forward kinematics, 2752 × 31", contenders, work, "M frame-joints/s", "≥ 20")

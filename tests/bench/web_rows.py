@@ -18,7 +18,7 @@ from tests.browser.conftest import CHROMIUM_ARGUMENTS
 from tests.browser.participant import begin
 from tests.support.server import Server
 
-# What the aim leaves out: figures and clips (GLB) and fonts.
+# What the aim leaves out: figures and clips (GLB; unpacked ones are blobs) and fonts.
 _LEFT_OUT = (".glb", ".woff2")
 
 
@@ -61,7 +61,7 @@ def _measure_trial(page: Page, server: Server) -> list[Row]:
 
     def weigh(response: Response) -> None:
         url, body = response.url.split("?")[0], response.body()
-        if not url.endswith(_LEFT_OUT) and "/api/" not in url:
+        if not url.startswith("blob:") and not url.endswith(_LEFT_OUT) and "/api/" not in url:
             sizes[url] = len(gzip.compress(body, 6)) / 1000
 
     link = begin(page, server)
