@@ -37,7 +37,7 @@ dev: .venv/.run-ready static/dist/.ready ## Serve with reload, front end rebuilt
 .PHONY: test
 test: lint browser ## Lint, types, front-end tests, and the test suite on SQLite, PostgreSQL and Chromium
 	@cd static && npm test --silent
-	@HOME=$(CACHE)/home $(BIN)/python -m pytest $(PYTEST_ARGS)
+	@HOME=$(CACHE)/home $(BIN)/python -m pytest -n 2 --dist worksteal $(PYTEST_ARGS)
 
 .PHONY: lint
 lint: .venv/.test-ready static/dist/.ready ## Formatting, style, types and import directions
