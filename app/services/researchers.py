@@ -6,6 +6,7 @@ import hashlib
 import secrets
 from datetime import timedelta
 from functools import cache
+from threading import BoundedSemaphore
 from typing import NamedTuple
 
 from argon2 import PasswordHasher
@@ -20,6 +21,8 @@ SHORTEST_PASSWORD = 12
 LINK_LIFETIME = timedelta(days=3)
 
 _hasher = PasswordHasher()
+# Each hash takes 64 MB: many at once, which a stranger can ask for, would exhaust a small machine.
+_at_once = BoundedSemaphore(4)
 
 
 class Identity(NamedTuple):
@@ -77,7 +80,8 @@ def sign_in(db: Session, email: str, password: str) -> Identity:
     # An unknown address costs the same time as a wrong password, so that none can be found out.
     known_hash = researcher.password_hash if researcher else _nobodys_hash()
     try:
-        _hasher.verify(known_hash, password)
+        with _at_once:
+            _hasher.verify(known_hash, password)
     except (VerifyMismatchError, InvalidHashError):
         researcher = None
     if researcher is None:
@@ -126,7 +130,8 @@ def _hash_password(password: str) -> str:
             where={"field": "password"},
             mend="Take a few words in a row: easy to keep in mind, hard to guess.",
         )
-    return _hasher.hash(password)
+    with _at_once:
+        return _hasher.hash(password)
 
 
 @cache
