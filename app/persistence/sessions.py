@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
@@ -15,7 +15,6 @@ class Progress(NamedTuple):
     """How far one session is; `answered` counts trials, `last_answer` is None before the first."""
 
     state: str
-    plan: dict[str, Any] | None
     consented_at: datetime | None
     completed_at: datetime | None
     answered: int
@@ -44,7 +43,6 @@ def progress(session: Session, study: Study) -> list[Progress]:
     rows = session.execute(
         select(
             StudySession.state,
-            StudySession.plan,
             StudySession.consented_at,
             StudySession.completed_at,
             func.coalesce(answers.c.answered, 0),

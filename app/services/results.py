@@ -75,6 +75,7 @@ def count(db: Session, study: Study, moment: datetime) -> Counts:
     every = sessions.progress(db, study)
     active = [one for one in every if one.state == "active"]
     left = [one for one in active if moment - _last_sign(one) > STILL_THERE]
+    trials = definition_of(study).trials
     times = [
         (one.completed_at - one.consented_at).total_seconds()
         for one in every
@@ -84,7 +85,7 @@ def count(db: Session, study: Study, moment: datetime) -> Counts:
         complete=sum(one.state == "complete" for one in every),
         under_way=len(active) - len(left),
         left_early=len(left),
-        left_at=sorted(one.answered + 1 for one in left),
+        left_at=sorted(min(one.answered + 1, trials) for one in left),
         withdrawn=sum(one.state == "withdrawn" for one in every),
         answers=responses.count(db, study),
         median_seconds=median(times) if times else None,

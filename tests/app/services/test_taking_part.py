@@ -5,7 +5,7 @@ import pytest
 from sqlalchemy import select
 
 from app.errors import ConflictError, InvalidError, NotFoundError
-from app.persistence.models import ClipRecord, Response, StudySession
+from app.persistence.models import ClipRecord, Response, StudySession, now
 from app.services import answers, results, sessions, studies
 from app.studies import emotion
 from tests.support.simulate import add_study, answer_with, directly, take_part
@@ -181,12 +181,19 @@ def test_counts_follow_the_participants(db, definition):
     sessions.withdraw(db, take_part(write, generator, answered=9))
     study = studies.find(db, emotion.SLUG)
     early = db.scalars(select(StudySession).where(StudySession.state == "active")).first()
-    now = early.consented_at
-    counts = results.count(db, study, now)
+    moment = early.consented_at
+    counts = results.count(db, study, moment)
     assert (counts.complete, counts.under_way, counts.left_early, counts.withdrawn) == (2, 3, 0, 1)
     assert counts.answers == 2 * 22 + 3 + 7 + 9
-    later = results.count(db, study, now + timedelta(minutes=31))
+    later = results.count(db, study, moment + timedelta(minutes=31))
     assert (later.under_way, later.left_early, later.left_at) == (0, 3, [4, 8, 10])
+
+
+def test_who_answered_all_but_never_finished_left_at_the_last_clip(db, definition):
+    take_part(directly(db), np.random.default_rng(4), answered=definition.trials)
+    study = studies.find(db, emotion.SLUG)
+    later = results.count(db, study, now() + timedelta(minutes=31))
+    assert (later.complete, later.left_at) == (0, [definition.trials])
 
 
 def test_the_median_time_is_that_of_the_complete(db, definition):
