@@ -14,14 +14,8 @@ from app.persistence.models import Researcher
 from app.persistence.writer import Writer
 from app.security import AttemptLimiter, SignInCookies
 from app.services import researchers
-from app.settings import Settings
 
 # Those that only look something up are async: a plain function would cost a turn in a thread.
-
-
-async def _settings(request: Request) -> Settings:
-    settings: Settings = request.app.state.settings
-    return settings
 
 
 async def _database(request: Request) -> Database:
@@ -44,7 +38,6 @@ async def _writer(request: Request) -> Writer:
     return writer
 
 
-CurrentSettings = Annotated[Settings, Depends(_settings)]
 CurrentDatabase = Annotated[Database, Depends(_database)]
 CurrentWriter = Annotated[Writer, Depends(_writer)]
 Reading = Annotated[Session, Depends(_reading)]

@@ -7,10 +7,9 @@ from typing import Literal
 SIGNIFICANT = 0.05
 
 
-def number(value: float, digits: int = 2, *, signed: bool = False) -> str:
+def number(value: float, digits: int = 2) -> str:
     """A rounded number with a true minus sign; minus zero is zero."""
-    rounded = round(value, digits) + 0.0
-    return f"{rounded:{'+' if signed else ''}.{digits}f}".replace("-", "−")
+    return f"{round(value, digits) + 0.0:.{digits}f}".replace("-", "−")
 
 
 def p_value(p: float) -> str:
