@@ -26,7 +26,7 @@ from app.schemas.sessions import (
     TrialView,
 )
 from app.schemas.study import StudyDefinition
-from app.services.studies import ExampleClip, definition_of, example_clip, find, media_url
+from app.services.studies import ExampleClip, definition_of, find, media_url, thanks_clip
 
 # Crockford's base 32: no I, L, O, U, so a code can be read out and typed.
 CODE_LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
@@ -176,7 +176,7 @@ def standing(db: Session, token: str) -> Standing:
         state=session.state,
         answers=len(responses.answered(db, session.id)),
         completion_code=session.completion_code,
-        clip=example_clip(db, definition),
+        clip=thanks_clip(db, definition),
     )
 
 

@@ -81,7 +81,16 @@ def welcome(db: Session, slug: str) -> WelcomePage:
 
 def example_clip(db: Session, definition: StudyDefinition) -> ExampleClip | None:
     """The clip that moves beside the study's texts, if it has one."""
-    clip = definition.welcome.example
+    return _shown(db, definition.welcome.example)
+
+
+def thanks_clip(db: Session, definition: StudyDefinition) -> ExampleClip | None:
+    """The figure that takes leave: it bows, or moves as in the beginning where no bow is known."""
+    gestures = store.sample_clips(db, emotion.THANKS_SET)
+    return _shown(db, gestures[0].id) if gestures else example_clip(db, definition)
+
+
+def _shown(db: Session, clip: str | None) -> ExampleClip | None:
     found = store.media(db, [clip]).get(clip) if clip else None
     if found is None:
         return None

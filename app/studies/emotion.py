@@ -19,6 +19,7 @@ from app.schemas.study import (
 SLUG = "emotion-in-walking"
 SAMPLE_SET = "acted"
 EXAMPLE_SET = "A"
+THANKS_SET = "gesture"
 PRACTICE = 2
 
 SCALES = (

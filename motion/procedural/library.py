@@ -1,4 +1,4 @@
-"""The sample library: three sets of synthetic clips, the same on every machine."""
+"""The sample library: sets of synthetic clips, the same on every machine."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from motion.clip import Clip
 from motion.procedural.bodies import BODIES
+from motion.procedural.bow import bow
 from motion.procedural.knock import walk_and_knock
 from motion.procedural.styles import ACTED, AFFECTS, CHARACTERS, SPEEDS, at_speed
 from motion.procedural.walk import walk_cycle
@@ -22,10 +23,11 @@ class SampleClip:
 
 
 def sample_clips() -> Iterator[SampleClip]:
-    """The sets A (10 walking styles), B (9 affects × 3 speeds) and acted (2 bodies × 10)."""
+    """Sets A (10 walking styles), B (9 affects × 3 speeds), acted (2 bodies × 10), and a bow."""
     yield from set_a()
     yield from set_b()
     yield from acted()
+    yield SampleClip("bow", bow(BODIES["adult"]), _tags("gesture", "adult"))
 
 
 def set_a() -> Iterator[SampleClip]:

@@ -10,7 +10,13 @@ for (const button of document.querySelectorAll<HTMLButtonElement>("[data-copy]")
   button.hidden = !navigator.clipboard;
   button.addEventListener("click", () => void copy(button));
 }
-if (document.querySelector("motion-viewer") && hasWebGL()) void import("../viewer/motion_viewer");
+const viewer = document.querySelector("motion-viewer");
+if (viewer && hasWebGL()) void import("../viewer/motion_viewer");
+
+// A bow is deepest in the middle of its clip. Held there, it is seen whenever somebody looks up.
+viewer?.addEventListener("timeupdate", () => {
+  if (!viewer.paused && !viewer.loop && viewer.currentTime >= viewer.duration / 2) viewer.pause();
+});
 
 async function copy(button: HTMLButtonElement): Promise<void> {
   const text = document.getElementById(button.dataset["copy"] ?? "")?.textContent?.trim() ?? "";

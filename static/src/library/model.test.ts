@@ -9,12 +9,13 @@ const clips = [
   clip("walk_a", { set: "A", style: "proud", body: "adult" }),
   clip("walk_b", { set: "B", emotion: "sad", speed: "slow" }),
   clip("acted_c", { set: "acted", emotion: "sad", body: "female" }),
+  clip("bow", { set: "gesture", body: "adult" }),
   clip("mine", {}, { source: "imported", state: "to_confirm" }),
 ];
 
 test("filters count every clip once under All and leave empty families out", () => {
   expect(filtersOf(clips).map(({ label, count }) => [label, count])).toEqual([
-    ["All", 4], ["Styles", 1], ["Emotions", 1], ["Acted", 1], ["Imported", 1],
+    ["All", 5], ["Styles", 1], ["Emotions", 1], ["Acted", 1], ["Gestures", 1], ["Imported", 1],
   ]);
   expect(filtersOf(clips.slice(0, 1)).map(({ label }) => label)).toEqual(["All", "Styles"]);
 });
@@ -34,7 +35,7 @@ test("a caption says what is shown, and leaves the ordinary speed out", () => {
   expect(caption(clips[1]!)).toBe("sad · slow · 1.0 s");
   expect(caption(clip("x", { set: "B", emotion: "angry", speed: "normal" }))).toBe("angry · 1.0 s");
   expect(caption(clips[2]!)).toBe("sad · female · 1.0 s");
-  expect(caption(clips[3]!)).toBe("1.0 s");
+  expect(caption(clips[4]!)).toBe("1.0 s");
 });
 
 test("frame rates that are nearly whole are said whole", () => {

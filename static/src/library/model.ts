@@ -18,6 +18,7 @@ const FAMILIES: [id: string, label: string, has: (clip: Clip) => boolean][] = [
   ["styles", "Styles", (clip) => clip.tags.set === "A"],
   ["emotions", "Emotions", (clip) => clip.tags.set === "B"],
   ["acted", "Acted", (clip) => clip.tags.set === "acted"],
+  ["gestures", "Gestures", (clip) => clip.tags.set === "gesture"],
   ["imported", "Imported", (clip) => clip.source === "imported"],
 ];
 

@@ -13,13 +13,14 @@ from tests.support.gait import SIDES
 LOOPS = [f"set_a_{name}" for name in CHARACTERS]
 LOOPS += [f"set_b_{name}_{speed}" for name in AFFECTS for speed in SPEEDS]
 SCENES = [f"acted_{body}_{name}" for body in ("female", "male") for name in ACTED]
+SCENES += ["bow"]
 ALL = LOOPS + SCENES
 
 
 def test_the_sets_have_their_names_counts_and_tags(library):
     assert sorted(library) == sorted(ALL)
     sets = [sample.tags["set"] for sample in library.values()]
-    assert [sets.count(name) for name in ("A", "B", "acted")] == [10, 27, 20]
+    assert [sets.count(name) for name in ("A", "B", "acted", "gesture")] == [10, 27, 20, 1]
     assert set(AFFECTS) == {
         "excitement", "pleasure", "contentment", "sleepiness", "depression", "misery", "distress",
         "arousal", "neutral",
@@ -36,7 +37,7 @@ def test_the_sets_have_their_names_counts_and_tags(library):
 def test_a_second_generation_gives_the_same_clips_and_no_two_are_equal(library):
     again = {sample.name: sample.clip.content_hash for sample in sample_clips()}
     assert again == {name: sample.clip.content_hash for name, sample in library.items()}
-    assert len(set(again.values())) == 57
+    assert len(set(again.values())) == 58
 
 
 @pytest.mark.parametrize("name", ALL)
