@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from pydantic import ValidationError
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
@@ -126,6 +127,13 @@ def main() -> None:
         app()
     except MannerError as error:
         console.print(f"{error.message} {error.mend or ''}", markup=False)
+        raise SystemExit(1) from error
+    except ValidationError as error:
+        if error.title != Settings.__name__:
+            raise
+        for fault in error.errors():
+            name = "MANNER_" + "_".join(map(str, fault["loc"])).upper()
+            console.print(f"{name}: {fault['msg'].removeprefix('Value error, ')}", markup=False)
         raise SystemExit(1) from error
 
 

@@ -11,6 +11,7 @@ from typing import Literal
 from pydantic import Field, SecretStr, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 from sqlalchemy import make_url
+from sqlalchemy.exc import ArgumentError
 
 PROJECT = Path(__file__).resolve().parents[1]
 
@@ -41,6 +42,26 @@ class Settings(BaseSettings):
         if not url.startswith(("http://", "https://")):
             raise ValueError("the public URL must start with http:// or https://")
         return url.rstrip("/")
+
+    @field_validator("sign_in_attempts")
+    @classmethod
+    def _is_a_rate(cls, rate: str) -> str:
+        from limits import parse  # here, since most keep the default
+
+        try:
+            parse(rate)
+        except ValueError:
+            raise ValueError("give a number and a time, such as 10/15 minutes") from None
+        return rate
+
+    @field_validator("database_url")
+    @classmethod
+    def _is_an_address(cls, url: str) -> str:
+        try:
+            make_url(url or "sqlite://")
+        except ArgumentError:  # whose message would repeat the address, password and all
+            raise ValueError("give an address such as postgresql://user@host/name") from None
+        return url
 
     @property
     def secure(self) -> bool:

@@ -10,7 +10,7 @@ import pytest
 from sqlalchemy import select
 from typer.testing import CliRunner, Result
 
-from app.cli import app
+from app.cli import app, main
 from app.persistence.engine import Database, make_engine
 from app.persistence.models import ClipRecord
 from app.services import samples
@@ -96,6 +96,29 @@ def test_the_first_start_links_to_where_the_server_is_reached(
     if public_url:
         monkeypatch.setenv("MANNER_PUBLIC_URL", public_url)
     assert f"  {address}/research/set-up/" in run("serve", *words).output
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("MANNER_UPLOAD_LIMIT", "many"),
+        ("MANNER_SIGN_IN_ATTEMPTS", "lots"),
+        ("MANNER_DATABASE_URL", "geheim"),
+        ("MANNER_PUBLIC_URL", "study.example.org"),
+    ],
+)
+def test_a_wrong_setting_stops_the_command_with_one_line_that_names_it(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str, value: str
+) -> None:
+    monkeypatch.setenv(name, value)
+    monkeypatch.setattr("sys.argv", ["manner", "prepare"])
+    with pytest.raises(SystemExit) as stopped:
+        main()
+    told = capsys.readouterr().out
+    assert stopped.value.code == 1
+    assert told.startswith(f"{name}: ")
+    assert "Traceback" not in told
+    assert "geheim" not in told
 
 
 def test_the_openapi_document_is_printed_without_touching_a_database(settings: Settings) -> None:
