@@ -123,7 +123,8 @@ class Csrf:
             content = self._serializer.loads(token or "", max_age=86_400)
         except BadSignature:
             content = ""
-        if not self.cookie or not hmac.compare_digest(str(content), self.cookie):
+        known = (self.cookie or "").encode()  # bytes: text with an umlaut cannot be compared
+        if not known or not hmac.compare_digest(str(content).encode(), known):
             raise ForbiddenError(
                 "The page was open for too long, or the browser keeps no cookies for this site.",
                 code="csrf_token_invalid",

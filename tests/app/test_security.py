@@ -52,6 +52,15 @@ def test_a_form_without_its_token_changes_nothing(client: TestClient, researcher
     assert not [name for name in client.cookies if "researcher" in name]
 
 
+def test_a_broken_cookie_is_refused_like_a_missing_one(client: TestClient) -> None:
+    form = {"email": "a@example.org", "password": PASSWORD, "csrf_token": csrf_token(client)}
+    client.cookies.clear()
+    response = client.post(
+        "/research/sign-in", data=form, headers={"Cookie": "manner_csrf=\xfc".encode("latin-1")}
+    )
+    assert response.status_code == 403
+
+
 def test_a_token_of_another_browser_is_refused(
     client: TestClient, settings: Settings, built: Path, researcher: str
 ) -> None:
