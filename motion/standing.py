@@ -1,22 +1,58 @@
-"""How each joint of a skeleton is turned when the body stands upright with hanging arms."""
+"""How a body stands upright with hanging arms, and rotations as seen from there.
+
+Seen from standing, joint frames are common to all skeletons: x to the left, y up, z forward, and
+the identity for whoever stands.
+"""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motion.clip import Clip
 from motion.figure.reference import Reference
-from motion.rotations import from_matrix, to_matrix
+from motion.rotations import conjugate, from_matrix, multiply, to_matrix
 
 Array = NDArray[np.float64]
 
 
-def standing_rotations(clip: Clip) -> Array:
-    """World rotations (J, 4) of an upright stance facing +z, the joints' axes known from a clip.
+@dataclass(frozen=True, eq=False)
+class Standing:
+    """An upright stance facing +z.
 
-    They make joint frames common: a rotation seen from them means the same on every skeleton.
+    Attributes:
+        rotations: (J, 4) world rotation of each joint.
+        above: (J, 4) world rotation of each joint's parent; the identity for the root.
     """
+
+    rotations: Array
+    above: Array
+
+    @classmethod
+    def of(cls, clip: Clip) -> Standing:
+        """The stance of a clip's skeleton, its joints' axes known from the clip."""
+        rotations = standing_rotations(clip)
+        root = np.array([[1.0, 0.0, 0.0, 0.0]])
+        return cls(rotations, np.concatenate([root, rotations[clip.skeleton.parents[1:]]]))
+
+    @property
+    def local(self) -> Array:
+        """(J, 4) the stance as local rotations."""
+        return multiply(conjugate(self.above), self.rotations)
+
+    def canonical(self, local: Array, joint: int | slice = slice(None)) -> Array:
+        """Local rotations (T, 4) of one joint, or (T, J, 4) of all, seen from standing."""
+        return multiply(multiply(self.above[joint], local), conjugate(self.rotations[joint]))
+
+    def from_canonical(self, canonical: Array, joint: int | slice = slice(None)) -> Array:
+        """The local rotations of rotations seen from standing."""
+        return multiply(multiply(conjugate(self.above[joint]), canonical), self.rotations[joint])
+
+
+def standing_rotations(clip: Clip) -> Array:
+    """World rotations (J, 4) of an upright stance, the joints' axes known from a clip."""
     skeleton = clip.skeleton
     reference = Reference(clip)
     axes = reference.axes()

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from motion.clip import Clip
 from motion.editing.limbs import Limb, find_limbs
 from motion.kinematics import WorldPose, forward_kinematics, pose_to_world
-from motion.rotations import conjugate, from_directions, multiply, rotate, to_directions
-from motion.standing import standing_rotations
+from motion.rotations import conjugate, from_directions, rotate, to_directions
+from motion.standing import Standing
 
 Array = NDArray[np.float64]
 
@@ -47,7 +47,7 @@ def capture_pose(clip: Clip, frame: int) -> Pose:
     Raises:
         IndexError: if the clip has no such frame.
     """
-    canonical = _to_canonical(clip, standing_rotations(clip))[frame]
+    canonical = Standing.of(clip).canonical(clip.rotations[frame])
     return {role: canonical[joint] for role, joint in clip.skeleton.roles.items()}
 
 
@@ -64,15 +64,15 @@ def add_posture(clip: Clip, offsets: Sequence[tuple[PostureOffset, float]]) -> C
     total = _sum(offsets)
     if not total:
         return clip
-    standing = standing_rotations(clip)
+    standing = Standing.of(clip)
     rotations = clip.rotations.copy()
-    canonical = _to_canonical(clip, standing)
+    canonical = standing.canonical(clip.rotations)
     fade = _fades(clip, standing)
     for role, offset in total.items():
         joint = clip.skeleton.roles.get(role)
         if joint is not None:
             moved = to_directions(canonical[:, joint]) + fade[joint][:, None] * offset
-            rotations[:, joint] = _from_canonical(clip, standing, joint, from_directions(moved))
+            rotations[:, joint] = standing.from_canonical(from_directions(moved), joint)
     return replace(clip, rotations=rotations)
 
 
@@ -85,27 +85,10 @@ def _sum(offsets: Sequence[tuple[PostureOffset, float]]) -> dict[str, Array]:
     return total
 
 
-def _to_canonical(clip: Clip, standing: Array) -> Array:
-    """Local rotations (T, J, 4) in canonical axes: the identity in upright standing."""
-    return multiply(multiply(_above(clip, standing), clip.rotations), conjugate(standing))
-
-
-def _from_canonical(clip: Clip, standing: Array, joint: int, canonical: Array) -> Array:
-    above = _above(clip, standing)[joint]
-    return multiply(multiply(conjugate(above), canonical), standing[joint])
-
-
-def _above(clip: Clip, standing: Array) -> Array:
-    """(J, 4) how each joint's parent stands; the world, for the root."""
-    parents = clip.skeleton.parents
-    root = np.array([[1.0, 0.0, 0.0, 0.0]])
-    return np.concatenate([root, standing[parents[1:]]])
-
-
-def _fades(clip: Clip, standing: Array) -> Array:
+def _fades(clip: Clip, standing: Standing) -> Array:
     """(J, T) share of an offset that each joint takes in each frame."""
     pose = forward_kinematics(clip)
-    upright = _upright(clip, standing)
+    upright = pose_to_world(clip.skeleton, np.zeros((1, 3)), standing.local[None])
     fades = np.ones((len(clip.skeleton), clip.frames))
     for limb in find_limbs(clip.skeleton).values():
         if limb.name != "head":
@@ -127,8 +110,3 @@ def _seen_from_hips(clip: Clip, pose: WorldPose, limb: Limb) -> Array:
     hips = clip.skeleton.roles.get("hips", 0)
     way = pose.positions[:, limb.end] - pose.positions[:, hips]
     return rotate(conjugate(pose.rotations[:, hips]), way)
-
-
-def _upright(clip: Clip, standing: Array) -> WorldPose:
-    local = multiply(conjugate(_above(clip, standing)), standing)[None]
-    return pose_to_world(clip.skeleton, np.zeros((1, 3)), local)

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from motion.clip import Clip
 from motion.errors import MotionError
 from motion.ik import soft_limit
-from motion.rotations import conjugate, from_axis_angle, multiply
+from motion.rotations import from_axis_angle, multiply
 from motion.segment_angles import X, Y, Z, twist
-from motion.standing import standing_rotations
+from motion.standing import Standing
 
 Array = NDArray[np.float64]
 
@@ -68,20 +68,17 @@ def shape(clip: Clip, limits: Sequence[SoftLimit], amount: float = 1.0) -> Clip:
     """
     if amount == 0.0 or not limits:
         return clip
-    standing = standing_rotations(clip)
+    standing = Standing.of(clip)
     rotations = clip.rotations.copy()
     for limit in limits:
         if limit.role not in clip.skeleton.roles:
             name = limit.role.replace("_", " ")
             raise MotionError(f"No joint is the {name}: set that body role first.")
         joint = clip.skeleton.roles[limit.role]
-        parent = int(clip.skeleton.parents[joint])
-        above = standing[parent] if parent >= 0 else np.array([1.0, 0.0, 0.0, 0.0])
-        canonical = multiply(multiply(above, rotations[:, joint]), conjugate(standing[joint]))
+        canonical = standing.canonical(rotations[:, joint], joint)
         angle = twist(canonical, AXES[limit.axis])
         # A rotation is its turn about the axis, followed by the swing: adding to the turn comes
         # first, so from the right.
         more = from_axis_angle(np.eye(3)[AXES[limit.axis]], amount * (limit(angle) - angle))
-        shaped = multiply(canonical, more)
-        rotations[:, joint] = multiply(multiply(conjugate(above), shaped), standing[joint])
+        rotations[:, joint] = standing.from_canonical(multiply(canonical, more), joint)
     return replace(clip, rotations=rotations)
