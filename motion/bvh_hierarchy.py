@@ -80,6 +80,8 @@ class _HierarchyReader:
 
     def read(self) -> tuple[tuple[BvhJoint, ...], tuple[BvhTip, ...]]:
         first = self.scanner.peek()
+        if not first:
+            raise self.scanner.error("The file is empty: this is not a BVH file.")
         if first.upper() == b"HIERARCHY":
             self.scanner.next()
         elif first.upper() != b"ROOT":

@@ -139,7 +139,9 @@ def test_answers_are_deleted_for_good_when_a_person_withdraws(page: Page, server
     answer(page, 0)
     wait_until_saved(page)
     page.goto(link + "/withdraw")
-    expect(page.get_by_role("heading", name="Delete your answers?")).to_be_visible()
+    heading = page.get_by_role("heading", name="Delete your answers?")
+    expect(heading).to_be_visible()
+    assert heading.bounding_box()["x"] >= 16  # the page has its margins
     assert len(stored(server)) == 1
     page.get_by_role("button", name="Delete my answers").click()
     expect(page.get_by_role("heading", name="Your answers are deleted.")).to_be_visible()

@@ -119,9 +119,15 @@ export class ClipLibrary extends LitElement {
   }
 
   protected override updated(changed: PropertyValues): void {
-    if (changed.has("open" as keyof this) && this.open) {
-      this.querySelector<HTMLElement>(".drawer [data-first]")?.focus();
-    }
+    if (!changed.has("open" as keyof this) && changed.get("correcting" as keyof this) === undefined) return;
+    this.querySelector(".drawer")?.scrollTo(0, 0);
+    this.querySelector<HTMLElement>(this.wantsFocus())?.focus({ preventScroll: !this.open });
+  }
+
+  /** Where a person goes on: a focus that falls off the page would be lost to a keyboard. */
+  private wantsFocus(): string {
+    if (!this.open) return ".file-button input";
+    return this.correcting ? ".corrections select" : ".drawer [data-first]";
   }
 
   protected override render(): TemplateResult {

@@ -35,13 +35,13 @@ export function failure(
     </div>
     <div class="drawer-body failure">
       ${placeWords(place) ? html`<h2 class="figure-title" tabindex="-1">${placeWords(place)}</h2>` : nothing}
-      ${place.context ? excerptBlock(place, error?.message ?? "") : nothing}
+      ${place.context?.length ? excerptBlock(place, error?.message ?? "") : nothing}
       ${error?.mend ? html`<p class="quiet">${error.mend}</p>` : nothing}
       <div class="buttons">
         ${way
           ? html`<button class="button primary" data-first @click=${() => retry(way.options)}>${way.word}</button>`
           : nothing}
-        <button class="button" @click=${leaveOut}>Leave it out</button>
+        <button class="button" ?data-first=${!way} @click=${leaveOut}>Leave it out</button>
       </div>
     </div>`;
 }

@@ -18,16 +18,20 @@ export function facts(report: Report): TemplateResult {
   </dl>`;
 }
 
-/** @param change opens the form that corrects what a question is about; none where nothing can change. */
+/**
+ * What is asked stands first: on a low screen the repairs would push it out of sight.
+ *
+ * @param change opens the form that corrects what a question is about; none where nothing can change.
+ */
 export function notes(report: Report, change?: () => void): TemplateResult {
   return html`<ul class="report-notes">
-    ${report.repairs.map((note) => html`<li>${icon("check")}<p>${note.text}</p>${place(note)}</li>`)}
     ${report.questions.map(
       (note) => html`<li class="question">
         ${icon("info")}<p>${question(note.text)}</p>
         ${change ? html`<button class="link-button" @click=${change}>Change</button>` : place(note)}
       </li>`,
     )}
+    ${report.repairs.map((note) => html`<li>${icon("check")}<p>${note.text}</p>${place(note)}</li>`)}
     ${report.repairs.length + report.questions.length
       ? nothing
       : html`<li>${icon("check")}<p>Read as written; nothing had to be repaired.</p></li>`}
