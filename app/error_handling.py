@@ -59,8 +59,9 @@ def answer_error(request: Request, error: Exception) -> Response:
         raise error
     status = next((s for kind, s in STATUSES.items() if isinstance(error, kind)), 400)
     if status == 401 and not _is_api(request):
-        wanted = quote(request.url.path) if request.method == "GET" else "/research"
-        return RedirectResponse(f"/research/sign-in?next={wanted}", 303)
+        query = f"?{request.url.query}" if request.url.query else ""
+        wanted = request.url.path + query if request.method == "GET" else "/research"
+        return RedirectResponse(f"/research/sign-in?next={quote(wanted)}", 303)
     return _answer(request, error, status)
 
 

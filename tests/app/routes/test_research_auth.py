@@ -126,6 +126,14 @@ def test_who_must_sign_in_comes_back_to_the_page(client: TestClient, researcher:
     assert client.post("/research/sign-in", data=form).headers["location"] == "/research/results"
 
 
+def test_the_page_comes_back_with_all_that_was_chosen_on_it(
+    client: TestClient, researcher: str
+) -> None:
+    page = "/research/studies/emotion?against=all&more=1"
+    form_page = client.get(client.get(page).headers["location"])
+    assert f'name="next" value="{page.replace("&", "&amp;")}"' in form_page.text
+
+
 @pytest.mark.parametrize("lure", ["https://evil.example", "//evil.example", "/\\evil.example"])
 def test_no_link_lures_to_another_server(client: TestClient, researcher: str, lure: str) -> None:
     form = {
