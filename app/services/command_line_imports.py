@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Future
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -41,11 +41,21 @@ def import_paths(
     with executor(scheduler) as pool:
         ahead: deque[tuple[Path, Future[imports.ReadMotion]]] = deque()
         for path in paths:
-            ahead.append((path, pool.submit(_read_path, path.read_bytes())))
+            ahead.append((path, _submit(pool, path)))
             if len(ahead) > AHEAD:
                 yield _store_next(database, ahead, confirm=confirm)
         while ahead:
             yield _store_next(database, ahead, confirm=confirm)
+
+
+def _submit(pool: Executor, path: Path) -> Future[imports.ReadMotion]:
+    """The file's reading under way; one that cannot be opened fails like an unreadable one."""
+    try:
+        return pool.submit(_read_path, path.read_bytes())
+    except OSError as error:
+        failed: Future[imports.ReadMotion] = Future()
+        failed.set_exception(error)
+        return failed
 
 
 def _read_path(data: bytes) -> imports.ReadMotion:

@@ -13,7 +13,7 @@ from typer.testing import CliRunner, Result
 from app.cli import app, main
 from app.persistence.engine import Database, make_engine
 from app.persistence.models import ClipRecord
-from app.services import samples
+from app.services import command_line_imports, samples
 from app.settings import Settings
 from tests.support.motions import faulty_bvh, walk_bvh, walks
 
@@ -61,6 +61,23 @@ def test_one_bad_file_fails_the_command_but_not_the_other_files(
     assert "✓ good.bvh" in result.output
     assert states(settings)["good"] == "to_confirm"
     assert "bad" not in states(settings)
+
+
+def test_many_files_are_read_side_by_side_and_told_in_order(
+    settings: Settings, tmp_path: Path
+) -> None:
+    run("prepare")
+    paths = [tmp_path / f"walk_{number:02}.bvh" for number in range(command_line_imports.MANY)]
+    for number, path in enumerate(paths):
+        path.write_bytes(faulty_bvh() if number == 3 else walk_bvh() + b"\n" * number)
+    gone = tmp_path / "gone.bvh"
+    database = Database(make_engine(settings.database))
+    told = list(command_line_imports.import_paths(database, [*paths, gone], confirm=True))
+    assert [line.text.split()[1] for line in told] == [path.name for path in [*paths, gone]]
+    assert [line.text.split()[1] for line in told if line.failed] == [paths[3].name, gone.name]
+    assert told[0].text.startswith("✓")
+    assert all("in the library already" in line.text for line in told[1:] if not line.failed)
+    assert states(settings)["walk_00"] == "kept"
 
 
 def test_yes_confirms_what_was_guessed(settings: Settings, tmp_path: Path) -> None:
