@@ -179,9 +179,12 @@ def slerp(first: Array, second: Array, share: Array | float) -> Array:
 def between(first: Array, second: Array) -> Array:
     """Smallest rotations (..., 4) that turn the unit vectors ``first`` (..., 3) into ``second``."""
     first, second = np.broadcast_arrays(first, second)
-    w = 1.0 + np.sum(first * second, axis=-1, keepdims=True)
-    axis = np.cross(first, second)
+    # By the direction half-way: 1 + cos loses its digits where the two are nearly opposite.
+    middle = first + second
+    length = np.linalg.norm(middle, axis=-1, keepdims=True)
+    opposite = length < 1e-12
+    middle = middle / np.where(opposite, 1.0, length)
     helper = np.where(np.abs(first[..., :1]) < 0.9, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
-    opposite = w < 1e-9
-    axis = np.where(opposite, np.cross(first, helper), axis)
-    return normalise(np.concatenate([np.where(opposite, 0.0, w), axis], axis=-1))
+    axis = np.cross(first, np.where(opposite, helper, middle))
+    w = np.where(opposite, 0.0, np.sum(first * middle, axis=-1, keepdims=True))
+    return normalise(np.concatenate([w, axis], axis=-1))

@@ -193,7 +193,7 @@ def _parts(clip: ClipOnAxis, words: AxisWords) -> list[dict[str, Any]]:
                 "middle": start + share / 2,
                 "first": index == 0,
                 "between": index == half,  # the zero line runs through its number
-                "told": f"{clip.mean:+.2f}".replace("-", "\u2212"),
+                "told": _signed(clip.mean),
             }
         )
         start += share
@@ -213,3 +213,8 @@ def _interval(clip: ClipOnAxis) -> dict[str, Any]:
 
 def _quoted(word: str) -> str:
     return word.replace("\\", "\\\\").replace("'", "\\'")
+
+
+def _signed(number: float) -> str:
+    """Two decimals with a sign; zero has none."""
+    return f"{number:z+.2f}".replace("-", "\u2212").replace("+0.00", "0.00")

@@ -183,6 +183,12 @@ def test_between_turns_one_direction_into_the_other_by_their_angle(a, b):
     assert angle_between(np.array([1.0, 0, 0, 0]), turn) == pytest.approx(angle, abs=1e-6)
 
 
+@pytest.mark.parametrize("off", [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13])
+def test_between_nearly_opposite_directions_loses_no_digits(off):
+    a, b = np.array([1.0, 0.0, 0.0]), np.array([-np.cos(off), np.sin(off), 0.0])
+    assert rotate(between(a, b), a) == pytest.approx(b, abs=1e-9)
+
+
 @given(directions())
 def test_between_opposite_directions_is_half_a_turn(a):
     turn = between(a, -a)

@@ -152,7 +152,7 @@ export class ClipLibrary extends LitElement {
       input.value = "";
     };
     return html`<label class="button primary file-button">${icon("import")}${word}
-      <input type="file" accept=".bvh" multiple @change=${choose}></label>`;
+      <input type="file" accept=".bvh" multiple @change=${choose} @keydown=${openByEnter}></label>`;
   }
 
   private filters(clips: Clip[]): TemplateResult {
@@ -242,3 +242,10 @@ function asApiError(error: unknown): ApiError {
 const problemNote = (problem: ApiError, again: () => void) => html`<div class="note note-bad" role="alert">
   ${icon("warning")}<div><p><b>${problem.message}</b></p>${problem.mend ? html`<p>${problem.mend}</p>` : nothing}
   <p><button class="link-button" @click=${again}>Load the library again</button></p></div></div>`;
+
+/** A file field opens by the space bar alone; it looks like a button, and buttons open by Enter too. */
+function openByEnter(event: KeyboardEvent): void {
+  if (event.key !== "Enter") return;
+  event.preventDefault();
+  (event.target as HTMLInputElement).click();
+}
