@@ -217,4 +217,4 @@ def _quoted(word: str) -> str:
 
 def _signed(number: float) -> str:
     """Two decimals with a sign; zero has none."""
-    return f"{number:z+.2f}".replace("-", "\u2212").replace("+0.00", "0.00")
+    return f"{number:+z.2f}".replace("-", "\u2212").replace("+0.00", "0.00")
