@@ -96,7 +96,7 @@ clean: ## Remove what was built and installed; the data folder stays
 
 static/node_modules/.ready: static/package-lock.json static/package.json .venv/.node-ready
 	@echo "Installing the front end's packages"
-	@cd static && npm ci --silent --no-audit --no-fund
+	@cd static && npm ci --loglevel error --no-audit --no-fund
 	@touch $@
 
 static/dist/.ready: static/node_modules/.ready $(FRONT_END)
