@@ -66,6 +66,8 @@ class Base(DeclarativeBase):
         dict[str, Any]: JSON(none_as_null=True),
         dict[str, str]: JSON(none_as_null=True),
         dict[str, int]: JSON(none_as_null=True),
+        dict[str, list[float]]: JSON(none_as_null=True),
+        list[dict[str, Any]]: JSON(none_as_null=True),
     }
 
 
@@ -117,12 +119,16 @@ class ClipRecord(Base):
     """One motion of the library.
 
     Attributes:
-        id: the clip's content hash.
-        source: ``sample`` or ``imported``.
+        id: the motion's content hash; of an edited clip, the hash of what it is made by: source,
+            recipe and engine version.
+        content_hash: of the motion itself.
+        source: ``sample``, ``imported`` or ``edited``.
         state: ``kept``, ``to_confirm`` (imported, its report not yet confirmed) or ``retired``
             (a sample that a newer engine makes differently; answers still refer to it).
         frame_time: seconds; duration: seconds; stature: metres; poster_time: seconds.
         clip_blob: the lossless clip; glb_blob: what the viewer plays; source_blob: the BVH file.
+        recipe, recipe_source, recipe_hash: of an edited clip, what was done to which clip.
+        quality: of an edited clip, the report on what the edit did to the motion, once asked for.
     """
 
     __tablename__ = "clips"
@@ -143,8 +149,88 @@ class ClipRecord(Base):
     clip_blob: Mapped[str] = mapped_column(ForeignKey("blobs.hash"))
     glb_blob: Mapped[str] = mapped_column(ForeignKey("blobs.hash"))
     source_blob: Mapped[str | None] = mapped_column(ForeignKey("blobs.hash"))
+    content_hash: Mapped[str] = mapped_column(String(64))
+    recipe: Mapped[list[dict[str, Any]] | None]
+    recipe_source: Mapped[str | None] = mapped_column(ForeignKey("clips.id"), index=True)
+    recipe_hash: Mapped[str | None] = mapped_column(String(64))
+    quality: Mapped[dict[str, Any] | None]
     engine_version: Mapped[str] = mapped_column(String(64))
     created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class PoseRecord(Base):
+    """A pose captured from a frame of a clip, from which posture offsets are made.
+
+    Attributes:
+        id: hash of the rotations.
+        rotations: body role to local rotation (w, x, y, z) in canonical axes.
+    """
+
+    __tablename__ = "poses"
+
+    id: Mapped[str] = mapped_column(String(64), primary_key=True)
+    name: Mapped[str] = mapped_column(String(200))
+    rotations: Mapped[dict[str, list[float]]]
+    clip_id: Mapped[str | None] = mapped_column(ForeignKey("clips.id", ondelete="SET NULL"))
+    frame: Mapped[int]
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class GraphRecord(Base):
+    """A motion graph: which clips, how alike, and what a person changed by hand."""
+
+    __tablename__ = "graphs"
+
+    id: Mapped[uuid.UUID] = mapped_column(primary_key=True, default=uuid.uuid4)
+    name: Mapped[str] = mapped_column(String(200))
+    definition: Mapped[dict[str, Any]]
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class ApiKey(Base):
+    """A program's right to call the API in a researcher's name; only the key's hash is kept.
+
+    Attributes:
+        hint: the key's last characters, by which its owner knows it again.
+        scope: ``read`` or ``write``.
+    """
+
+    __tablename__ = "api_keys"
+
+    id: Mapped[int] = mapped_column(primary_key=True)
+    researcher_id: Mapped[int] = mapped_column(ForeignKey("researchers.id"), index=True)
+    name: Mapped[str] = mapped_column(String(200))
+    hint: Mapped[str] = mapped_column(String(10))
+    key_hash: Mapped[str] = mapped_column(String(64), unique=True)
+    scope: Mapped[str] = mapped_column(String(10))
+    created_at: Mapped[datetime] = mapped_column(default=now)
+    last_used_at: Mapped[datetime | None]
+    revoked_at: Mapped[datetime | None]
+
+
+class Job(Base):
+    """Long work, its state and its progress.
+
+    Attributes:
+        state: ``waiting``, ``running``, ``done``, ``cancelled`` or ``failed``.
+        request: what is to be done; items: one outcome each, in its order.
+        total, done, failed: numbers of items.
+    """
+
+    __tablename__ = "jobs"
+
+    id: Mapped[uuid.UUID] = mapped_column(primary_key=True, default=uuid.uuid4)
+    kind: Mapped[str] = mapped_column(String(20))
+    researcher_id: Mapped[int | None] = mapped_column(ForeignKey("researchers.id"))
+    state: Mapped[str] = mapped_column(String(20), default="waiting", index=True)
+    request: Mapped[dict[str, Any]]
+    items: Mapped[list[dict[str, Any]]] = mapped_column(default=list)
+    total: Mapped[int]
+    done: Mapped[int] = mapped_column(default=0)
+    failed: Mapped[int] = mapped_column(default=0)
+    created_at: Mapped[datetime] = mapped_column(default=now)
+    started_at: Mapped[datetime | None]
+    ended_at: Mapped[datetime | None]
 
 
 class Study(Base):

@@ -108,6 +108,7 @@ def store(
         clip_blob=blobs.put(db, files.clip, blobs.CLIP),
         glb_blob=blobs.put(db, files.glb, blobs.GLB),
         source_blob=None if source_file is None else blobs.put(db, source_file, blobs.BVH),
+        content_hash=files.id,
         engine_version=engine_version(),
     )
     return clips.put(db, clip)

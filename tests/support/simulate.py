@@ -142,7 +142,8 @@ def _add_clip(db: Session, name: str, **tags: str) -> None:
         db.add(FigureRecord(skeleton_hash=skeleton, glb_blob=known, engine_version="test"))
     db.add(
         ClipRecord(
-            id=sha256(b"clip" + content).hexdigest(), name=name, source="sample", state="kept",
+            id=sha256(b"clip" + content).hexdigest(), content_hash=known, name=name,
+            source="sample", state="kept",
             skeleton_hash=skeleton, frames=10, frame_time=1 / 30, duration=0.3, cyclic=False,
             stature=1.7, poster_time=0.1, tags=tags, report=None, clip_blob=known, glb_blob=known,
             source_blob=None, engine_version="test",
