@@ -136,6 +136,20 @@ def test_a_double_click_on_next_answers_one_clip_only(page: Page, server: Server
     expect(page.locator(".place")).to_contain_text("Clip 2 of")
 
 
+def test_the_second_click_of_a_double_click_answers_nothing_however_late_it_comes(
+    page: Page, server: Server
+):
+    begin(page, server)
+    page.locator(".next").click()
+    expect(page.locator(".place")).to_contain_text("Clip 2 of")
+    expect(page.locator(".next")).to_be_enabled()
+    page.locator(".next").dispatch_event("click", {"detail": 2})
+    page.wait_for_timeout(500)
+    expect(page.locator(".place")).to_contain_text("Clip 2 of")
+    page.locator(".next").dispatch_event("click", {"detail": 1})
+    expect(page.locator(".place")).to_contain_text("Clip 3 of")
+
+
 def test_every_step_can_be_hit_with_a_finger(page: Page, server: Server):
     page.set_viewport_size({"width": 390, "height": 844})
     begin(page, server)

@@ -28,7 +28,15 @@ export function footer(
   return html`<footer class="panel-footer ${fetched ? "resting" : ""}">
     <button class="button quiet back" type="button" ?hidden=${index === 0} ?disabled=${!ready} @click=${back}>
       ${icon("back")} Back</button>
-    <button class="button primary next" type="submit" ?disabled=${!ready}>
+    <button class="button primary next" type="submit" ?disabled=${!ready} @click=${firstOnly}>
       ${index + 1 < length ? "Next clip" : "Finish"} ${icon("arrow")}</button>
   </footer>`;
+}
+
+/**
+ * The second click of a double click answers nothing. A busy device may deliver it long after the first, when the next
+ * clip is already there; the browser still knows that the two belong together.
+ */
+function firstOnly(event: MouseEvent): void {
+  if (event.detail > 1) event.preventDefault();
 }
