@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from dataclasses import dataclass, replace
 from functools import cached_property
+from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +21,9 @@ Array = NDArray[np.float64]
 
 SHORTER, LONGER = 0.4, 1.6  # gains at the ends of the path axis
 _TIMINGS = (EVEN, None, ADDED)
+_MOST = 400_000  # frames times joints of all remembered grids; about a quarter of a gigabyte
+_CACHE: OrderedDict[tuple[str, tuple[str, ...] | None], NineMotions] = OrderedDict()
+_LOCK = Lock()
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +35,11 @@ class NineMotions:
     """
 
     motions: tuple[tuple[Clip, Clip, Clip], ...]
+
+    @property
+    def size(self) -> int:
+        """Frames times joints of one of the nine."""
+        return int(self.motions[1][1].rotations.size // 4)
 
     @cached_property
     def _directions(self) -> Array:
@@ -73,6 +83,21 @@ def nine_motions(clip: Clip, limbs: tuple[str, ...] | None = None) -> NineMotion
         )
         rows.append((even, as_is, added))
     return NineMotions(tuple(rows))
+
+
+def cached_nine_motions(clip: Clip, limbs: tuple[str, ...] | None = None) -> NineMotions:
+    """``nine_motions``, remembered for the clips used last in this process."""
+    key = (clip.content_hash, limbs)
+    with _LOCK:
+        if key in _CACHE:
+            _CACHE.move_to_end(key)
+            return _CACHE[key]
+    made = nine_motions(clip, limbs)
+    with _LOCK:
+        _CACHE[key] = made
+        while len(_CACHE) > 1 and sum(nine.size for nine in _CACHE.values()) > _MOST:
+            _CACHE.popitem(last=False)
+    return made
 
 
 def _hat(position: float, name: str) -> Array:

@@ -7,16 +7,32 @@ again. The filter is symmetric, so nothing shifts in phase, and versions can be 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motion.clip import Clip
-from motion.rotations import from_directions, to_directions
+from motion.errors import MotionError
+from motion.rotations import (
+    from_directions,
+    from_euler,
+    make_continuous,
+    normalise,
+    to_directions,
+    to_euler,
+)
 
 Array = NDArray[np.float64]
+
+DIRECTIONS, QUATERNIONS, ANGLES = "directions", "quaternions", "angles"
+_ORDER = "ZXY"  # of the angles: as most BVH files have it
+_REPRESENTATIONS: Mapping[str, tuple[Callable[[Array], Array], Callable[[Array], Array]]] = {
+    DIRECTIONS: (to_directions, from_directions),
+    QUATERNIONS: (make_continuous, normalise),
+    ANGLES: (lambda turns: to_euler(turns, _ORDER), lambda angles: from_euler(angles, _ORDER)),
+}
 
 _CENTRE, _NEAR, _FAR = 3 / 8, 1 / 4, 1 / 16  # the kernel c b a b c
 
@@ -52,21 +68,32 @@ class PathLength:
         return np.interp(octave, edges, [1.0, self.gain, self.gain, self.high_gain])
 
 
-def change_path_length(clip: Clip, gains: Callable[[Array], Array]) -> Clip:
-    """The clip with every joint's directions filtered; the root's path is left to foot repair.
+def change_path_length(
+    clip: Clip, gains: Callable[[Array], Array], representation: str = DIRECTIONS
+) -> Clip:
+    """The clip with every joint's rotation filtered; the root's path is left to foot repair.
 
     Args:
         clip: any clip; a cyclic one is wrapped around, so that its seam stays seamless.
         gains: gain of each frequency in Hz, such as ``PathLength``.
+        representation: what of a rotation is filtered: ``directions``, or, to see why not,
+            ``quaternions`` or Euler ``angles``, which jump where they wrap around.
+
+    Raises:
+        MotionError: if there is no such representation.
     """
-    signal = to_directions(clip.rotations)
+    if representation not in _REPRESENTATIONS:
+        known = ", ".join(_REPRESENTATIONS)
+        raise MotionError(f"Rotations cannot be filtered as “{representation}”, only as {known}.")
+    forth, back = _REPRESENTATIONS[representation]
+    signal = forth(clip.rotations)
     flat = signal.reshape(clip.frames, -1)
     if clip.cyclic:
         filtered = scale_bands(flat[:-1], gains, 1.0 / clip.frame_time, cyclic=True)
         filtered = np.concatenate([filtered, filtered[:1]])
     else:
         filtered = scale_bands(flat, gains, 1.0 / clip.frame_time)
-    return replace(clip, rotations=from_directions(filtered.reshape(signal.shape)))
+    return replace(clip, rotations=back(filtered.reshape(signal.shape)))
 
 
 def scale_bands(

@@ -60,7 +60,7 @@ def test_even_speed_varies_less_and_added_acceleration_more(knocking):
 def test_added_acceleration_makes_slow_parts_slower_and_fast_parts_faster(knocking):
     """Figures 24 and 25: time stands still where the hand was slow and runs where it was fast."""
     pose, limb = forward_kinematics(knocking), find_limbs(knocking.skeleton)["right_arm"]
-    warp = limb_warp(knocking, pose, limb, ADDED)
+    warp = limb_warp(knocking, pose, limb, Timing(ADDED))
     assert np.all(np.diff(warp) > 0)
     pace = np.diff(warp)
     assert pace.min() < 0.5
