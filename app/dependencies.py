@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
-from fastapi import Depends, Request
+from fastapi import Depends, Request, Security
+from fastapi.security import HTTPBearer
 from sqlalchemy.orm import Session
 
-from app.errors import SignInNeededError
+from app.errors import ForbiddenError, SignInNeededError
 from app.persistence.engine import Database
 from app.persistence.models import Researcher
 from app.persistence.writer import Writer
 from app.security import AttemptLimiter, SignInCookies
-from app.services import researchers
+from app.services import keys, researchers
+from app.services.keys import KeyUses
 
 # Those that only look something up are async: a plain function would cost a turn in a thread.
 
@@ -96,3 +98,85 @@ async def csrf_checked(request: Request) -> None:
 
 
 CsrfChecked = Depends(csrf_checked)
+
+
+class Caller(NamedTuple):
+    """Who calls the API: a signed-in researcher, or a program with a key of one."""
+
+    researcher_id: int
+    may_write: bool
+    by_key: bool
+
+
+def maybe_caller(
+    request: Request, database: CurrentDatabase, writer: CurrentWriter
+) -> Caller | None:
+    """Who calls, if anybody known. A key goes before the cookie.
+
+    Raises:
+        SignInNeededError: the key is wrong or revoked. Also where none is needed: the program
+            believes that it is known, and would otherwise wonder why it sees so little.
+    """
+    secret = _bearer(request)
+    if secret is None:
+        researcher = maybe_researcher(request, database)
+        return Caller(researcher.id, may_write=True, by_key=False) if researcher else None
+    with database.reading() as session:
+        key = keys.find(session, secret)
+    uses: KeyUses = request.app.state.key_uses
+    uses.note(writer, key)
+    return Caller(key.researcher_id, may_write=key.scope == "write", by_key=True)
+
+
+_key_scheme = HTTPBearer(
+    scheme_name="API key",
+    bearerFormat="mnr_…",
+    description="Made in the researchers' pages under API keys, for reading or also for writing.",
+    auto_error=False,  # only tells the OpenAPI document; our own check tells more
+)
+MaybeCaller = Annotated[Caller | None, Depends(maybe_caller)]
+
+
+async def reader(caller: MaybeCaller, _: Annotated[object, Security(_key_scheme)]) -> Caller:
+    """Whoever has a key of either scope, or is signed in."""
+    if caller is None:
+        raise SignInNeededError(
+            "This needs an API key.",
+            code="key_needed",
+            mend="Send the header “Authorization: Bearer mnr_…”, or sign in on this browser.",
+        )
+    return caller
+
+
+Reader = Annotated[Caller, Depends(reader)]
+
+
+async def key_writer(request: Request, caller: Reader) -> Caller:
+    """Whoever has a key for writing, or is signed in and calls from one of our own pages."""
+    if not caller.may_write:
+        raise ForbiddenError(
+            "This API key may only read.",
+            code="read_only_key",
+            mend="Use a key that may write; they are made under API keys.",
+        )
+    # Browsers send cookies along with requests that foreign pages start, but never keys.
+    if not caller.by_key:
+        request.state.csrf.check(request.headers.get("x-csrf-token"))
+    return caller
+
+
+KeyWriter = Annotated[Caller, Depends(key_writer)]
+
+
+async def maybe_reader(caller: MaybeCaller) -> bool:
+    """Whether the caller may see more than samples."""
+    return caller is not None
+
+
+MaybeReader = Annotated[bool, Depends(maybe_reader)]
+
+
+def _bearer(request: Request) -> str | None:
+    """The key in the header; a header of another kind may be meant for a proxy before us."""
+    scheme, _, secret = request.headers.get("authorization", "").partition(" ")
+    return secret.strip() if scheme.lower() == "bearer" else None

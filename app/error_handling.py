@@ -24,6 +24,7 @@ STATUSES: dict[type[errors.MannerError], int] = {
     errors.TooManyError: 429,
 }
 CODES = {413: errors.TooLargeError.default_code}
+CHALLENGE = {"WWW-Authenticate": "Bearer"}  # how programs may make themselves known
 MENDS = {
     404: "Check the address, or start again from the first page.",
     405: "Use the links and buttons of the pages.",
@@ -62,7 +63,7 @@ def answer_error(request: Request, error: Exception) -> Response:
         query = f"?{request.url.query}" if request.url.query else ""
         wanted = request.url.path + query if request.method == "GET" else "/research"
         return RedirectResponse(f"/research/sign-in?next={quote(wanted)}", 303)
-    return _answer(request, error, status)
+    return _answer(request, error, status, CHALLENGE if status == 401 else None)
 
 
 def _answer_http_exception(request: Request, error: Exception) -> Response:

@@ -35,6 +35,7 @@ from app.security import (
     HeadersMiddleware,
     SignInCookies,
 )
+from app.services.keys import KeyUses
 from app.services.media import MediaStore
 from app.settings import PROJECT, Settings
 
@@ -74,6 +75,7 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
     app.state.templates = make_templates(Assets(built))
     app.state.sign_in_cookies = SignInCookies(settings)
     app.state.attempt_limiter = AttemptLimiter(settings.sign_in_attempts)
+    app.state.key_uses = KeyUses()
     error_handling.install(app)
     _add_middleware(app, settings)
     for router in ROUTERS:

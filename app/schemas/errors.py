@@ -38,8 +38,8 @@ class ErrorResponse(BaseModel):
 ERRORS: dict[int | str, dict[str, Any]] = {
     status: {"model": ErrorResponse, "description": description}
     for status, description in {
-        401: "A researcher must sign in first",
-        403: "The request lacks its token against forgery",
+        401: "Needs an API key, or a signed-in researcher",
+        403: "The API key may only read, or the request lacks its token against forgery",
         404: "Not found",
         409: "Contradicts what is stored",
         413: "More bytes than the server takes",
