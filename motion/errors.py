@@ -46,3 +46,19 @@ class BvhSyntaxError(MotionError):
         self.line = line
         self.column = column
         self.fault = fault or Fault()
+
+
+class RecipeError(MotionError):
+    """A recipe that cannot be read, or cannot be applied to a clip.
+
+    Attributes:
+        message: what is wrong.
+        where: the way to the place in the recipe's JSON, such as ``(0, "parameters", "path")``.
+        mend: what to do about it.
+    """
+
+    def __init__(self, message: str, where: tuple[str | int, ...] = (), mend: str = "") -> None:
+        super().__init__(f"{message} {mend}".rstrip())
+        self.message = message
+        self.where = where
+        self.mend = mend

@@ -1,0 +1,38 @@
+"""Feet that an operation has moved stand again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from motion.clip import Clip
+from motion.editing.foot_repair import repair_feet
+from motion.quality.pair import matched
+from motion.recipe.operation import Context, operation
+
+LEGS = tuple(f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "shin", "foot"))
+_MOVING = ("hips", *LEGS, "left_toes", "right_toes")
+
+
+def standing_again(before: Clip, edited: Clip) -> Clip:
+    """The edited clip with feet that stand where they stood; as it is where no legs are known."""
+    known = all(role in before.skeleton.roles for role in LEGS)
+    return repair_feet(before, edited) if known and edited is not before else edited
+
+
+def moves_feet(roles: Iterable[str]) -> bool:
+    """Whether feet leave their place when the joints of these roles turn."""
+    return any(role in _MOVING for role in roles)
+
+
+def _repair_feet(clip: Clip, context: Context) -> Clip:
+    return repair_feet(matched(context.unedited(), clip).original, clip)
+
+
+REPAIR_FEET = operation(
+    "repair_feet@1",
+    "Repair feet",
+    "Feet stand again when they stood in the unedited motion, and hips follow them.",
+    {},
+    _repair_feet,
+    needs=LEGS,
+)
