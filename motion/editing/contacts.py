@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.signal import argrelmin
 
 from motion.clip import Clip
+from motion.editing.cycles import middle_cycle, three_cycles
 from motion.editing.foot_plants import find_feet
 from motion.editing.foot_repair import repair_feet
 from motion.editing.limbs import Limb, find_limbs
@@ -22,10 +23,10 @@ from motion.kinematics import WorldPose, forward_kinematics
 Array = NDArray[np.float64]
 
 _REACH = 0.45  # s before a contact that take part
-_BURST, _OVER = 0.08, 0.14  # s before it: from the one on fast, before the other slow
-_CONTRAST = np.log(2.0)  # how much longer the slow and how much shorter the fast frames last
-_SUDDEN = 0.1  # s in which a hand comes to rest if it hits something
-_FALL = 0.5  # of the hand's high speed: what it loses then
+_BURST, _OVER = 0.12, 0.25  # s before it: from the one on fast, before the other slow
+_CONTRAST = np.log(1.5)  # how much longer the slow and how much shorter the fast frames last
+_SUDDEN = 0.07  # s in which a hand comes to rest if it hits something
+_FALL = 0.6  # of the hand's high speed: what it loses then; a swinging arm takes longer to turn
 _APART = 0.25  # s between two contacts of a limb
 _LEAST = 0.3  # m/s: a hand that is never faster hits nothing
 
@@ -34,17 +35,20 @@ def accelerate_contacts(clip: Clip, amount: float = 1.0) -> Clip:
     """The clip with each limb slow before its contacts and fast into them.
 
     Contacts are foot strikes and sudden stops of a hand. They stay when they are, and so do length,
-    first and last frame.
+    first and last frame; the feet are repaired.
 
     Args:
-        clip: any clip.
-        amount: 0 changes nothing, 1 doubles the time before and halves it right at the contact.
+        clip: any clip; a cyclic one stays cyclic, and its first frame need not stay.
+        amount: 0 changes nothing; 1 makes the way to a contact last 1.5 times as long, then 1.5
+            times as short, less what it takes to arrive on time.
 
     Raises:
         MotionError: if a leg's roles are missing.
     """
     if amount == 0.0 or clip.frames < 4:
         return clip
+    if clip.cyclic:
+        return middle_cycle(accelerate_contacts(three_cycles(clip), amount))
     pose = forward_kinematics(clip)
     rotations = clip.rotations.copy()
     for limb, approaches in _approaches(clip, pose):

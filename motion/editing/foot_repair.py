@@ -15,6 +15,7 @@ from scipy.interpolate import PchipInterpolator
 from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
 from motion.clip import Clip
+from motion.editing.cycles import middle_cycle, three_cycles
 from motion.editing.foot_plants import Foot, find_feet, leg_length
 from motion.ik import solve_two_bones
 from motion.kinematics import WorldPose, forward_kinematics
@@ -34,8 +35,10 @@ def repair_feet(original: Clip, edited: Clip) -> Clip:
 
     Args:
         original: the clip before the edit: it tells when the feet stand.
-        edited: the same skeleton and frames with other rotations.
+        edited: the same skeleton and frames with other rotations; a cycle stays a cycle.
     """
+    if original.cyclic and original.frames > 1:
+        return middle_cycle(repair_feet(three_cycles(original), three_cycles(edited)))
     before = forward_kinematics(original)
     feet = find_feet(original, before)
     if not any(foot.stands.any() for foot in feet):
@@ -49,23 +52,24 @@ def repair_feet(original: Clip, edited: Clip) -> Clip:
 
 
 def _hips_path(original: Clip, edited: Clip, feet: tuple[Foot, Foot], before: WorldPose) -> Array:
-    """(T, 3) path of the root that moves against the slip of the standing feet."""
+    """(T, 3) path of the root that moves against the slip of the standing feet.
+
+    Level it is moved by what the feet slip more than in the original, so that a walk whose ankles
+    roll forward over the toes goes as far as before.
+    """
     step = original.frame_time
-    still = forward_kinematics(replace(edited, root_positions=np.zeros((edited.frames, 3))))
-    ankles = np.array([still.positions[:, foot.ankle] for foot in feet])
-    weights = np.array([_soft(foot.stands, step) for foot in feet])
-    total = weights.sum(axis=0)
-    supported = total > 0.05
-    weights = weights / np.maximum(total, 1e-9)
-    velocity = -np.einsum("st,stc->tc", weights, np.gradient(ankles, step, axis=1))
-    velocity = _smooth(_bridge(velocity, supported), step)
-    path = original.root_positions[0] + _integral(velocity, step)
-    heights = np.array([before.positions[:, foot.ankle, 1] for foot in feet])
-    lift = np.sum(weights * (heights - ankles[..., 1]), axis=0) - original.root_positions[:, 1]
-    path[:, 1] = (
-        original.root_positions[:, 1] + _smooth(_bridge(lift[:, None], supported), step)[:, 0]
-    )
-    return path
+    still = forward_kinematics(replace(edited, root_positions=original.root_positions))
+    ankles = [foot.ankle for foot in feet]
+    strayed = still.positions[:, ankles] - before.positions[:, ankles]
+    weights = np.stack([_soft(foot.stands, step) for foot in feet], axis=-1)
+    total = weights.sum(axis=-1, keepdims=True)
+    supported = total[:, 0] > 0.05
+    weights = (weights / np.maximum(total, 1e-9))[..., None]
+    velocity = -np.sum(weights * np.gradient(strayed, step, axis=0), axis=1)
+    change = _integral(_smooth(_bridge(velocity, supported), step), step)
+    lift = -np.sum(weights * strayed, axis=1)[:, 1:2]
+    change[:, 1:2] = _smooth(_bridge(lift, supported), step)
+    return original.root_positions + change
 
 
 def _with_standing_toes(clip: Clip, original: Clip, feet: tuple[Foot, Foot]) -> Clip:
