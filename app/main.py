@@ -19,6 +19,7 @@ from app.persistence.writer import Writer
 from app.routes import (
     health,
     imports,
+    keys,
     library,
     media,
     pages,
@@ -51,6 +52,7 @@ ROUTERS = (
     sessions_api.router,
     research.router,
     research.api,
+    keys.router,
 )
 
 

@@ -1,6 +1,6 @@
 import { defineConfig } from "vite";
 
-const pages = ["site", "library", "clip", "trial", "welcome", "thanks", "results", "viewer"];
+const pages = ["site", "library", "clip", "trial", "welcome", "thanks", "results", "viewer", "keys", "sets"];
 
 export default defineConfig({
   base: "/static/",

@@ -1,0 +1,4 @@
+import "../styles/keys.css";
+import { copyButtons } from "../results/copy";
+
+copyButtons();

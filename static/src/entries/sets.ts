@@ -1,0 +1,2 @@
+import "../styles/sets.css";
+import "../sets/set_maker";
