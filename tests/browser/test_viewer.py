@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
-import json
-import shutil
-import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
 
@@ -20,14 +15,10 @@ from motion.figure.build import build_figure
 from motion.glb import write_clip_glb, write_figure_glb
 from motion.kinematics import forward_kinematics
 from motion.procedural.library import sample_clips
+from tests.browser.viewer_page import Show, ready, serve, shower, until
 
 pytestmark = pytest.mark.browser
 
-DIST = Path(__file__).parents[2] / "static" / "dist"
-POLICY = (
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
-    "connect-src 'self' blob:; base-uri 'none'"
-)
 VIEWER = "document.querySelector('motion-viewer')"
 ONE = '<motion-viewer controls="{controls}" src="/clip0.glb" figure="/figure.glb"></motion-viewer>'
 STYLE = "body { margin: 0; background: #f4f3f0 } motion-viewer { height: 300px } "
@@ -50,19 +41,6 @@ HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
 };
 """
 
-Show = Callable[[str], Page]
-
-
-class _Handler(http.server.SimpleHTTPRequestHandler):
-    """Files of a folder, under the policy of a page."""
-
-    def end_headers(self) -> None:
-        self.send_header("Content-Security-Policy", POLICY)
-        super().end_headers()
-
-    def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - the base's name
-        """Stay quiet."""
-
 
 @pytest.fixture(scope="module")
 def clips() -> list[Clip]:
@@ -77,52 +55,15 @@ def site(clips: list[Clip], tmp_path_factory: pytest.TempPathFactory) -> Iterato
     for index, clip in enumerate(clips):
         (folder / f"clip{index}.glb").write_bytes(write_clip_glb(clip))
     (folder / "figure.glb").write_bytes(write_figure_glb(build_figure(clips[0])))
-    (folder / "page.css").write_text(STYLE + CARD)
-    (folder / "favicon.ico").write_bytes(b"")
-    shutil.copytree(DIST, folder / "static")
-    handler = functools.partial(_Handler, directory=str(folder))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        yield folder, f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
-        thread.join()
+    with serve(folder, STYLE + CARD) as address:
+        yield folder, address
 
 
 @pytest.fixture
 def show(site: tuple[Path, str], page: Page) -> Show:
     """Open a page with some markup and the viewer's script."""
-    folder, address = site
-    manifest = json.loads((folder / "static" / ".vite" / "manifest.json").read_text())
-    script = manifest["src/entries/viewer.ts"]["file"]
     page.set_viewport_size({"width": 400, "height": 420})
-
-    def show(markup: str) -> Page:
-        (folder / "page.html").write_text(
-            '<!doctype html><html lang="en" data-theme="light"><meta charset="utf-8"><title>Viewer'
-            f'</title><link rel="stylesheet" href="/page.css"><body>{markup}'
-            f'<script type="module" src="/static/{script}"></script></body></html>'
-        )
-        page.goto(f"{address}/page.html")
-        return page
-
-    return show
-
-
-def _until(page: Page, expression: str) -> None:
-    """Wait for a condition. The page's policy forbids what Playwright's own way evaluates."""
-    for _ in range(1200):
-        if page.evaluate(expression):
-            return
-        page.wait_for_timeout(25)
-    pytest.fail(f"never came true: {expression}")
-
-
-def _ready(page: Page) -> None:
-    _until(
-        page,
-        "[...document.querySelectorAll('motion-viewer')].every((viewer) => viewer.duration > 0)",
-    )
+    return shower(page, *site)
 
 
 def _get(page: Page, expression: str) -> object:
@@ -131,7 +72,7 @@ def _get(page: Page, expression: str) -> object:
 
 def test_the_figure_stands_exactly_where_its_motion_says(show: Show, clips: list[Clip]) -> None:
     page = show(ONE.format(controls="none"))
-    _ready(page)
+    ready(page)
     world = forward_kinematics(clips[0]).positions
     for frame in (0, clips[0].frames // 3, clips[0].frames - 2):
         seconds = frame * clips[0].frame_time
@@ -143,7 +84,7 @@ def test_the_figure_stands_exactly_where_its_motion_says(show: Show, clips: list
 
 def test_between_two_frames_the_figure_is_between_them(show: Show, clips: list[Clip]) -> None:
     page = show(ONE.format(controls="none"))
-    _ready(page)
+    ready(page)
     world = forward_kinematics(clips[0]).positions
     seconds = 7.5 * clips[0].frame_time
     shown = page.evaluate(f"{VIEWER}.seek({seconds}), [...{VIEWER}.figures[0].jointPositions()]")
@@ -159,7 +100,7 @@ def test_several_figures_keep_step_in_one_context(
         for index, role in enumerate(("reference", "judged"))
     )
     show(f'<motion-viewer controls="none" figure="/figure.glb">{figures}</motion-viewer>')
-    _ready(page)
+    ready(page)
     seconds = 5 * clips[0].frame_time
     page.evaluate(f"{VIEWER}.seek({seconds})")
     for index, clip in enumerate(clips):
@@ -175,8 +116,8 @@ def test_viewers_and_thumbnails_of_a_page_share_one_context(show: Show, page: Pa
     page.add_init_script(COUNT_CONTEXTS)
     card = '<motion-thumbnail src="/clip1.glb" figure="/figure.glb"></motion-thumbnail>'
     show(ONE.format(controls="none") + 3 * card)
-    _ready(page)
-    _until(
+    ready(page)
+    until(
         page,
         "[...document.querySelectorAll('motion-thumbnail')].every((thumbnail) => {"
         "  const canvas = thumbnail.shadowRoot.querySelector('canvas');"
@@ -194,18 +135,18 @@ def test_a_card_moves_while_it_is_looked_at_and_goes_back_to_its_still(show: Sho
     )
     card = "document.querySelector('motion-thumbnail')"
     picture = f"{card}.shadowRoot.querySelector('canvas').toDataURL()"
-    _ready(page)
-    _until(page, f"{card}.drawn")
+    ready(page)
+    until(page, f"{card}.drawn")
     still = page.evaluate(picture)
     page.get_by_role("link").focus()
-    _until(page, f"{picture} !== '{still}'")
+    until(page, f"{picture} !== '{still}'")
     page.get_by_role("link").blur()
-    _until(page, f"{picture} === '{still}'")
+    until(page, f"{picture} === '{still}'")
 
 
 def test_the_keyboard_reaches_everything(show: Show, clips: list[Clip]) -> None:
     page = show(ONE.format(controls="full"))
-    _ready(page)
+    ready(page)
     frame_time, duration = clips[0].frame_time, clips[0].duration
     page.get_by_role("application").focus()
     page.keyboard.press("Space")
@@ -228,13 +169,13 @@ def test_the_keyboard_reaches_everything(show: Show, clips: list[Clip]) -> None:
     page.keyboard.press("Alt+ArrowLeft")
     assert _get(page, "cameraMoved") is True
     page.keyboard.press("0")
-    _until(page, f"!{VIEWER}.cameraMoved")
+    until(page, f"!{VIEWER}.cameraMoved")
     assert _get(page, "statistics.cameraMoves") == 2
 
 
 def test_a_participant_cannot_change_the_pace_of_what_is_judged(show: Show) -> None:
     page = show(ONE.format(controls="simple"))
-    _ready(page)
+    ready(page)
     page.get_by_role("application").focus()
     looping = _get(page, "loop")
     for key in ("]", "[", "l"):
@@ -244,19 +185,19 @@ def test_a_participant_cannot_change_the_pace_of_what_is_judged(show: Show) -> N
 
 def test_dragging_turns_the_view_and_is_counted_once(show: Show) -> None:
     page = show(ONE.format(controls="simple"))
-    _ready(page)
+    ready(page)
     page.mouse.move(200, 120)
     page.mouse.down()
     page.mouse.move(260, 120, steps=5)
     page.mouse.up()
     assert (_get(page, "cameraMoved"), _get(page, "statistics.cameraMoves")) == (True, 1)
     page.get_by_role("button", name="Reset the view").click()
-    _until(page, f"!{VIEWER}.cameraMoved")
+    until(page, f"!{VIEWER}.cameraMoved")
 
 
 def test_scrubbing_with_the_keyboard_steps_by_frames(show: Show, clips: list[Clip]) -> None:
     page = show(ONE.format(controls="simple"))
-    _ready(page)
+    ready(page)
     slider = page.get_by_role("slider", name="Place in the motion")
     slider.focus()
     page.keyboard.press("ArrowRight")
@@ -265,9 +206,9 @@ def test_scrubbing_with_the_keyboard_steps_by_frames(show: Show, clips: list[Cli
 
 def test_nothing_is_drawn_while_paused(show: Show) -> None:
     page = show(ONE.format(controls="none"))
-    _ready(page)
+    ready(page)
     page.evaluate(f"{VIEWER}.play()")
-    _until(page, f"{VIEWER}.statistics.frames > 3")
+    until(page, f"{VIEWER}.statistics.frames > 3")
     page.evaluate(f"{VIEWER}.pause()")
     two_frames = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
     page.evaluate(two_frames)
@@ -285,7 +226,7 @@ def test_a_motion_that_does_not_arrive_is_said_and_can_be_asked_for_again(
     expect(page.get_by_text("The motion did not arrive")).to_be_visible()
     (folder / "late.glb").write_bytes((folder / "clip0.glb").read_bytes())
     page.get_by_role("button", name="Try again").click()
-    _ready(page)
+    ready(page)
     expect(page.get_by_text("The motion did not arrive")).to_be_hidden()
 
 
@@ -304,8 +245,8 @@ def test_the_page_s_policy_is_kept_and_nothing_is_complained_about(show: Show, p
     page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
     page.on("pageerror", lambda error: said.append(str(error)))
     show(ONE.format(controls="full"))
-    _ready(page)
+    ready(page)
     page.evaluate(f"{VIEWER}.play()")
-    _until(page, f"{VIEWER}.statistics.frames > 3")
+    until(page, f"{VIEWER}.statistics.frames > 3")
     # Chromium itself remarks on slow reads of pixels without a graphics card.
     assert [line for line in said if "GPU stall due to ReadPixels" not in line] == []

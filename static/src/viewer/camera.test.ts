@@ -92,3 +92,36 @@ describe("the camera", () => {
     expect(orbit.elevation).toBe(75);
   });
 });
+
+describe("room for a motion that reaches farther", () => {
+  const farther = { ...one, high: 2.1, reach: 0.9 };
+
+  it("is made in the time of a preset, beginning where the camera stood", () => {
+    const orbit = looking(one, desktop, 32, 7);
+    const before = orbit.camera.position.length();
+    orbit.makeRoom(farther, false);
+    expect(orbit.camera.position.length()).toBe(before);
+    orbit.advance(20);
+    const between = orbit.camera.position.length();
+    orbit.advance(420);
+    expect(orbit.flying).toBe(false);
+    const after = looking(farther, desktop, 32, 7).camera.position.length();
+    expect(orbit.camera.position.length()).toBeCloseTo(after, 6);
+    expect(between).toBeGreaterThan(before);
+    expect(between).toBeLessThan(after);
+  });
+
+  it("is kept when the next motion needs less, so that nothing pumps", () => {
+    const orbit = looking(farther, desktop, 32, 7);
+    orbit.makeRoom(one, false);
+    expect(orbit.flying).toBe(false);
+  });
+
+  it("does not end a flight to another view", () => {
+    const orbit = looking(one, desktop, 32, 7);
+    orbit.flyTo(90, false);
+    orbit.makeRoom(farther, false);
+    orbit.advance(420);
+    expect([orbit.azimuth, orbit.flying]).toEqual([90, false]);
+  });
+});

@@ -37,6 +37,8 @@ const LOWEST = 0;
 const HIGHEST = 75;
 const RING = 24;
 const LOOK_HEIGHT = 0.5;
+/** Metres that a subject must grow before the camera steps back. */
+const ROOM_STEP = 0.01;
 
 /** The points that must be seen, as x y z triples. */
 export function subjectPoints(subject: Subject): Float64Array {
@@ -115,16 +117,29 @@ export class OrbitCamera {
   elevation: number = looks.camera.elevation;
   zoom = 1;
   private home: number = looks.camera.azimuth;
+  private subject: Subject | null = null;
   private points: Float64Array = new Float64Array(0);
   private middle = LOOK_HEIGHT;
   private frame: Frame = { width: 300, height: 300, top: 24, bottom: 84, side: 8 };
   private flight: { from: number[]; to: number[]; progress: number } | null = null;
+  private growth: { from: Subject; to: Subject; progress: number } | null = null;
 
   setSubject(subject: Subject, home: number): void {
-    this.points = subjectPoints(subject);
-    this.middle = subject.high / 2;
+    this.growth = null;
     this.home = home;
-    this.apply();
+    this.regard(subject);
+  }
+
+  /** Steps back, without a jump, as far as a larger subject needs; a smaller one keeps its room. */
+  makeRoom(wanted: Subject, still: boolean): void {
+    const from = this.subject ?? wanted;
+    const seen = this.growth?.to ?? from;
+    const high = Math.max(seen.high, wanted.high);
+    const reach = Math.max(seen.reach, wanted.reach);
+    if (high - seen.high < ROOM_STEP && reach - seen.reach < ROOM_STEP) return;
+    const to = { ...from, high, reach };
+    if (still) this.regard(to);
+    else this.growth = { from, to, progress: 0 };
   }
 
   setFrame(frame: Frame): void {
@@ -171,17 +186,29 @@ export class OrbitCamera {
   }
 
   get flying(): boolean {
-    return this.flight !== null;
+    return this.flight !== null || this.growth !== null;
   }
 
-  /** Goes on with a preset's flight. */
+  /** Goes on with a preset's flight, and with the way back from a larger subject. */
   advance(milliseconds: number): void {
-    const { flight } = this;
-    if (!flight) return;
-    flight.progress = Math.min(flight.progress + milliseconds / CAMERA_PRESET_MS, 1);
-    const eased = 1 - (1 - flight.progress) ** 4;
+    const step = milliseconds / CAMERA_PRESET_MS;
+    if (this.growth) this.advanceGrowth(this.growth, step);
+    if (this.flight) this.advanceFlight(this.flight, step);
+  }
+
+  private advanceGrowth(growth: NonNullable<typeof this.growth>, step: number): void {
+    const { from, to } = growth;
+    growth.progress = Math.min(growth.progress + step, 1);
+    const at = (key: "high" | "reach") => from[key] + (to[key] - from[key]) * eased(growth.progress);
+    if (growth.progress === 1) this.growth = null;
+    this.regard({ ...to, high: at("high"), reach: at("reach") });
+  }
+
+  private advanceFlight(flight: NonNullable<typeof this.flight>, step: number): void {
+    flight.progress = Math.min(flight.progress + step, 1);
+    const share = eased(flight.progress);
     const at = (index: number) =>
-      flight.from[index]! + (flight.to[index]! - flight.from[index]!) * eased;
+      flight.from[index]! + (flight.to[index]! - flight.from[index]!) * share;
     this.azimuth = wrap(at(0));
     this.elevation = at(1);
     this.zoom = at(2);
@@ -197,6 +224,13 @@ export class OrbitCamera {
     return point;
   }
 
+  private regard(subject: Subject): void {
+    this.subject = subject;
+    this.points = subjectPoints(subject);
+    this.middle = subject.high / 2;
+    this.apply();
+  }
+
   private apply(): void {
     const { camera, frame, middle } = this;
     if (this.points.length === 0) return;
@@ -210,6 +244,11 @@ export class OrbitCamera {
     camera.setViewOffset(width, height, -found.shiftX, found.shiftY, width, height);
     camera.updateMatrixWorld();
   }
+}
+
+/** Fast at first, slow at the end, for a progress of 0…1. */
+function eased(progress: number): number {
+  return 1 - (1 - progress) ** 4;
 }
 
 /** The same angle within −180…180°. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { MotionClip, type ClipData } from "./clip";
+import { demandSameSkeleton, MotionClip, type ClipData } from "./clip";
 
 /** A root that walks 2 m along z in 1 s while swaying, and turns about y. */
 function walking(rate: number, cyclic: boolean, change: Partial<ClipData> = {}): MotionClip {
@@ -116,5 +116,29 @@ describe("the path that the camera follows", () => {
     const clip = walking(30, false);
     expect(at(clip, 0).path[1]).toBeCloseTo(0, 6);
     expect(at(clip, 1).path[1]).toBeCloseTo(2, 6);
+  });
+});
+
+describe("a clip that takes another's place", () => {
+  const two = (change: Partial<ClipData>) =>
+    walking(1, false, {
+      names: ["hips", "head"],
+      parents: Int16Array.of(-1, 0),
+      offsets: Float32Array.of(0, 0.9, 0, 0, 0.6, 0),
+      rotations: Float32Array.from([0, 1, 2, 3].flatMap(() => [0, 0, 0, 1])),
+      ...change,
+    });
+
+  it("may begin anywhere and be of another rate and length", () => {
+    const elsewhere = two({ offsets: Float32Array.of(5, 0, 5, 0, 0.6, 0), frameTime: 0.2 });
+    expect(() => demandSameSkeleton(elsewhere, two({}))).not.toThrow();
+  });
+
+  it("is refused by the first thing that differs", () => {
+    const names = two({ names: ["hips", "tail"] });
+    expect(() => demandSameSkeleton(names, two({}))).toThrow(/joint 2 is “tail”.*“head”/);
+    expect(() => demandSameSkeleton(walking(1, false), two({}))).toThrow(/1 joints.* 2/);
+    const tall = two({ offsets: Float32Array.of(0, 0.9, 0, 0, 0.7, 0) });
+    expect(() => demandSameSkeleton(tall, two({}))).toThrow(/bone to “head”/);
   });
 });

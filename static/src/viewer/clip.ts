@@ -130,6 +130,31 @@ function keepSigns(rotations: Float32Array, joints: number): void {
   }
 }
 
+/** Metres by which two skeletons' bones may differ and still be the same. */
+const SAME_BONE = 0.001;
+
+/** Makes sure that one clip can take another's place. Throws GlbError naming what differs. */
+export function demandSameSkeleton(clip: MotionClip, old: MotionClip): void {
+  if (clip.names.length !== old.names.length) {
+    throw new GlbError(
+      `The motion has ${clip.names.length} joints, the figure has ${old.names.length}.`,
+    );
+  }
+  old.names.forEach((name, joint) => {
+    if (clip.names[joint] !== name) {
+      throw new GlbError(
+        `The motion is for another skeleton: its joint ${joint + 1} is “${clip.names[joint]}”, ` +
+          `the figure’s is “${name}”.`,
+      );
+    }
+    const apart = [0, 1, 2].map((k) => clip.offsets[joint * 3 + k]! - old.offsets[joint * 3 + k]!);
+    // The root's own offset is where its motion begins.
+    if (old.parents[joint]! >= 0 && Math.hypot(...apart) > SAME_BONE) {
+      throw new GlbError(`The motion is for another body: its bone to “${name}” is not as long.`);
+    }
+  });
+}
+
 /** Takes the animation out of a file. Throws GlbError when it has none. */
 export function readClip(glb: Glb): MotionClip {
   const animation = glb.json.animations?.[0];
@@ -167,11 +192,13 @@ function readChannels(glb: Glb, nodes: number[], frames: number, frameTime: numb
   nodes.forEach((node, joint) => fill(rotations, rest[node]!, joint * 4, nodes.length * 4));
   fill(roots, glb.nodes[nodes[0]!]!.translation ?? [0, 0, 0], 0, 3);
   const animation = glb.json.animations![0]!;
+  const clocks = new Map<number, Float32Array>();
   for (const { sampler, target } of animation.channels) {
     const joint = place.get(target.node);
     if (joint === undefined) continue;
     const { input, output } = animation.samplers[sampler]!;
-    const times = glb.floats(input);
+    const times = clocks.get(input) ?? glb.floats(input);
+    clocks.set(input, times);
     const values = glb.floats(output);
     if (target.path === "rotation") {
       spread(times, values, 4, frameTime, rotations, joint * 4, nodes.length * 4);

@@ -17,6 +17,13 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** An attribute's number; null where there is none. */
+export function numberOf(element: Element, attribute: string): number | null {
+  const text = element.getAttribute(attribute);
+  const value = Number(text);
+  return text !== null && text.trim() !== "" && Number.isFinite(value) ? value : null;
+}
+
 /** Strokes on a 20 × 20 field. */
 const ICONS = {
   play: ["M6 3.8v12.4L16 10z"],

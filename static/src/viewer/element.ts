@@ -1,53 +1,64 @@
-/** `<motion-viewer>`: shows motions on a small stage and lets a person look, play and turn. */
+/**
+ * `<motion-viewer>`: shows motions on a small stage and lets a person look, play and turn.
+ *
+ * Attributes: `src`, `figure`, or one `<motion-figure src figure as label ghost>` for each figure;
+ * `controls` ("none", "views": only the named views, "simple", "full"), `arrange`, `theme`, `tier`,
+ * `loop`, `autoplay`, `static`, `azimuth`, `poster-time`, `label`. Another source, role or label
+ * loads anew; nothing below does.
+ *
+ * `setMotion(index, glb)` gives a figure another motion of the same skeleton; moment, play state and
+ * view stay. `setPose(index, root, rotations)` poses it from outside, with `live` set.
+ * `setShown(index, shown)` and `arrange` ("ghost": ghosts behind as marked, "beside": all side by
+ * side, "one": alone, the first that is shown) choose who is on view. `view(name)` turns to
+ * "three-quarter", "front" or "side". `figures[i].jointPositions()` are metres, x y z a joint.
+ *
+ * Events: `ready`, `frame` {time} after every drawn frame, `timeupdate` {time} some ten times a
+ * second, `motion` {index} when a motion from `setMotion` is first on view, `ended`, `error`
+ * {message}, `progress` {loaded, total} of the files, `unsupported`.
+ */
+import { describeArea, helpText, nameArea } from "./area";
 import type { Body } from "./body";
 import { PRESETS, type Preset } from "./camera";
 import { wantedFigures, type Wanted } from "./casting";
+import { readClip } from "./clip";
 import { Controls, type Playable } from "./controls";
-import { make } from "./dom";
+import { make, numberOf } from "./dom";
+import { FrameLoop } from "./frame_loop";
+import { parseGlb } from "./glb";
 import { handleKey, listenToPointer } from "./input";
-import { stageFrame } from "./layout";
+import { furnish, stageFrame } from "./layout";
 import { Legend } from "./legend";
 import { Loading } from "./loading";
 import { failureMessage, unsupportedMessage } from "./overlay";
-import { Player } from "./player";
+import { PlaybackElement } from "./playback";
 import { Surface } from "./renderer";
-import { Stage, type Performer } from "./stage";
+import { ARRANGEMENTS, Stage, type Arrangement, type Performer } from "./stage";
 import { standingClip } from "./standing";
 import { Statistics, type Tier, type ViewingStatistics } from "./statistics";
 import { viewerStyles } from "./styles";
 import { hasWebGL } from "./support";
 import { modeOf, wantsStillness, watchMode } from "./theme";
 import { tierChooser } from "./tier";
-import { Visibility } from "./visibility";
 
-const HELP =
-  "Space plays and pauses, R replays, left and right arrow step by frames, Home and End go to the " +
-  "ends. Alt with the arrow keys turns the view, 0 resets it.";
-const INTERACTIVE = {
-  tabindex: "0",
-  "aria-roledescription": "moving figure",
-  "aria-describedby": "help",
-};
 /** `timeupdate` comes at most this often while playing. */
 const TELL_MS = 100;
 
-export class MotionViewer extends HTMLElement implements Playable {
+export class MotionViewer extends PlaybackElement implements Playable {
   static readonly observedAttributes = [
     "src", "figure", "theme", "controls", "loop", "poster-time", "static", "azimuth", "tier", "label",
+    "arrange",
   ];
 
-  private readonly player = new Player();
   private readonly counts = new Statistics();
   private readonly legend = new Legend();
   private readonly area = make("div", { class: "stage" });
   private readonly overlay = make("div");
-  private readonly visibility = new Visibility(this, () => this.request());
+  private readonly frames = new FrameLoop(this, (now, passed) => this.onFrame(now, passed));
   private readonly resized = new ResizeObserver(() => this.layOut());
   private readonly markup = new MutationObserver(() => this.reload());
   private stage: Stage | null = null;
   private controls: Controls | null = null;
   private stopWatching = () => {};
-  private frameRequest = 0;
   /** The camera has moved since the labels were put over their figures. */
   private labelsStale = true;
   private reloadQueued = false;
@@ -58,18 +69,19 @@ export class MotionViewer extends HTMLElement implements Playable {
     begin: (performers, wanted) => this.begin(performers, wanted),
     fail: (error) => this.fail(error),
   });
-  private loaded = false;
-  private lastFrame: number | null = null;
+  private wanted: Wanted[] = [];
+  /** A pose has come from outside since the last frame. */
+  private posed = false;
+  /** Figures whose new motion has not been drawn yet. */
+  private unseen: number[] = [];
   private lastTold = 0;
-  private shortestFrame = 0;
   private chosenPreset: Preset | null = "three-quarter";
 
   constructor() {
     super();
     const root = this.attachShadow({ mode: "open" });
     root.adoptedStyleSheets = [viewerStyles()];
-    const help = make("p", { class: "hidden", id: "help" }, HELP);
-    root.append(this.area, help, this.legend.element, this.overlay);
+    root.append(this.area, helpText(), this.legend.element, this.overlay);
     const turn = {
       orbit: (azimuth: number, elevation: number) => this.turnBy(azimuth, elevation),
       zoomBy: (factor: number) => this.zoomBy(factor),
@@ -85,9 +97,10 @@ export class MotionViewer extends HTMLElement implements Playable {
     if (!hasWebGL()) return this.giveUp();
     this.stage = new Stage(new Surface());
     this.stage.surface.onLost = () => this.request();
+    this.stage.arrange(this.arrange);
     this.area.prepend(this.stage.surface.element);
     this.stopWatching = watchMode(() => this.applyTheme());
-    this.visibility.start();
+    this.frames.start();
     this.markup.observe(this, { childList: true, subtree: true, attributes: true,
       attributeFilter: ["src", "figure", "as", "role", "ghost", "label"] });
     this.resized.observe(this);
@@ -98,12 +111,10 @@ export class MotionViewer extends HTMLElement implements Playable {
   }
 
   disconnectedCallback(): void {
-    cancelAnimationFrame(this.frameRequest);
-    this.frameRequest = 0;
+    this.frames.stop();
     this.loading.cancel();
     this.player.pause();
     this.stopWatching();
-    this.visibility.stop();
     this.markup.disconnect();
     this.resized.disconnect();
     this.stage?.dispose();
@@ -118,48 +129,9 @@ export class MotionViewer extends HTMLElement implements Playable {
     else if (name === "tier") this.applyTier();
     else if (name === "controls" || name === "static") this.buildControls();
     else if (name === "loop") this.applyLoop();
-    else if (name === "azimuth") this.stage.setAzimuth(this.number("azimuth"));
-    else if (name === "label") this.applyLabel();
-    this.request();
-  }
-
-  get currentTime(): number {
-    return this.player.currentTime;
-  }
-
-  set currentTime(seconds: number) {
-    this.seek(seconds);
-  }
-
-  /** Seconds; 0 until `ready`. */
-  get duration(): number {
-    return this.player.duration;
-  }
-
-  get paused(): boolean {
-    return this.player.paused;
-  }
-
-  /** Seconds of the shortest frame among the clips shown. */
-  get frameTime(): number {
-    return this.shortestFrame;
-  }
-
-  get speed(): number {
-    return this.player.speed;
-  }
-
-  set speed(speed: number) {
-    this.player.speed = Math.min(Math.max(speed, 0.05), 8);
-    this.request();
-  }
-
-  get loop(): boolean {
-    return this.player.loop;
-  }
-
-  set loop(loop: boolean) {
-    this.player.loop = loop;
+    else if (name === "azimuth") this.stage.setAzimuth(numberOf(this, "azimuth"));
+    else if (name === "label") nameArea(this.area, this);
+    else if (name === "arrange") this.applyArrangement();
     this.request();
   }
 
@@ -179,27 +151,59 @@ export class MotionViewer extends HTMLElement implements Playable {
     return this.chosenPreset;
   }
 
-  play(): void {
-    if (!this.loaded) return;
-    this.player.play();
-    this.request();
+  /** Poses come from outside: the viewer's own clock stands still. */
+  get live(): boolean {
+    return this.isLive;
   }
 
-  pause(): void {
+  set live(live: boolean) {
+    this.isLive = live;
     this.player.pause();
+    this.frames.restart();
     this.request();
   }
 
-  replay(): void {
-    if (!this.loaded) return;
-    this.player.replay();
+  get arrange(): Arrangement {
+    const asked = this.getAttribute("arrange") as Arrangement;
+    return ARRANGEMENTS.includes(asked) ? asked : "ghost";
+  }
+
+  set arrange(arrangement: Arrangement) {
+    this.setAttribute("arrange", arrangement);
+  }
+
+  /**
+   * Gives a figure another motion at once; body, moment, play state and view stay.
+   *
+   * Throws GlbError when the file is no motion or one for another skeleton, RangeError when there
+   * is no such figure (yet); the old motion then goes on.
+   */
+  setMotion(index: number, glb: ArrayBuffer): void {
+    const stage = this.begunStage();
+    stage.setMotion(index, readClip(parseGlb(glb)), wantsStillness());
+    this.player.swap(stage.clips);
+    this.shortestFrame = stage.frameTime;
+    this.unseen.push(index);
     this.request();
   }
 
-  /** Goes to a moment and shows it at once, playing or not. */
-  seek(seconds: number): void {
-    this.player.seek(seconds);
-    this.stage?.setTime(this.player.elapsed);
+  /**
+   * Poses a figure from outside and stops the own clock (`live`).
+   *
+   * @param root metres. @param rotations J × 4, xyzw, in the order of the clip's joints.
+   * Throws RangeError when the numbers do not fit the figure.
+   */
+  setPose(index: number, root: ArrayLike<number>, rotations: ArrayLike<number>): void {
+    this.begunStage().setPose(index, root, rotations, performance.now() / 1000);
+    if (!this.isLive) this.live = true;
+    this.posed = true;
+    this.request();
+  }
+
+  /** Shows or hides one figure, its ground with it. */
+  setShown(index: number, shown: boolean): void {
+    this.stage?.setShown(index, shown);
+    this.showLegend();
     this.request();
   }
 
@@ -228,7 +232,7 @@ export class MotionViewer extends HTMLElement implements Playable {
   }
 
   private get isFull(): boolean {
-    return this.getAttribute("controls") === "full" && !this.isStatic;
+    return ["full", "views"].includes(this.getAttribute("controls") ?? "") && !this.isStatic;
   }
 
   private get tier(): Tier {
@@ -236,14 +240,17 @@ export class MotionViewer extends HTMLElement implements Playable {
     return asked === "full" || asked === "plain" ? asked : tierChooser().tier;
   }
 
-  private number(attribute: string): number | null {
-    const text = this.getAttribute(attribute);
-    const value = Number(text);
-    return text !== null && text.trim() !== "" && Number.isFinite(value) ? value : null;
-  }
-
   private tell(name: string, detail?: unknown): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+
+  protected showMoment(): void {
+    if (this.loaded && !this.isLive) this.stage?.setTime(this.player.elapsed);
+  }
+
+  private begunStage(): Stage {
+    if (!this.stage || !this.loaded) throw new RangeError("No figure is here yet; wait for “ready”.");
+    return this.stage;
   }
 
   private giveUp(): void {
@@ -256,11 +263,10 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.controls?.bar.remove();
     this.controls?.views?.remove();
     this.controls = null;
-    this.describeStage();
-    const kind = this.getAttribute("controls") ?? "simple";
-    if (kind !== "none" && !this.isStatic) {
-      this.controls = new Controls(this, kind === "full");
-      this.controls.bar.hidden = !this.loaded;
+    describeArea(this.area, this.isStatic);
+    if (this.getAttribute("controls") !== "none" && !this.isStatic) {
+      this.controls = new Controls(this, this.isFull);
+      this.showBar();
       this.shadowRoot!.append(this.controls.bar);
       if (this.controls.views) this.shadowRoot!.append(this.controls.views);
       this.resized.observe(this.controls.bar);
@@ -268,14 +274,10 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.layOut();
   }
 
-  /** A still is a picture; anything else answers to the keyboard and can be reached by it. */
-  private describeStage(): void {
-    const { area, isStatic } = this;
-    area.setAttribute("role", isStatic ? "img" : "application");
-    for (const [name, value] of Object.entries(INTERACTIVE)) {
-      if (isStatic) area.removeAttribute(name);
-      else area.setAttribute(name, value);
-    }
+  /** A page with a time strip of its own has no use for the bar. */
+  private showBar(): void {
+    const unwanted = this.getAttribute("controls") === "views";
+    if (this.controls) this.controls.bar.hidden = unwanted || !this.loaded;
   }
 
   private applyTheme(): void {
@@ -285,7 +287,6 @@ export class MotionViewer extends HTMLElement implements Playable {
 
   private applyTier(): void {
     this.stage?.setTier(this.tier);
-    this.stage?.setTime(this.player.elapsed);
     this.layOut();
   }
 
@@ -294,21 +295,21 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.player.loop = asked === null || asked === "auto" ? this.player.endless : asked !== "off";
   }
 
-  private applyLabel(): void {
-    const label = this.getAttribute("label") ?? this.getAttribute("aria-label");
-    this.area.setAttribute("aria-label", label ?? "Stage with a moving figure");
+  private applyArrangement(): void {
+    this.stage?.arrange(this.arrange);
+    this.showLegend();
+  }
+
+  private showLegend(): void {
+    if (this.stage) this.legend.show(this.wanted, this.stage);
+    this.layOut();
   }
 
   private layOut(): void {
     if (!this.stage || this.clientWidth === 0) return;
     const { clientWidth: width, clientHeight: height, controls } = this;
-    const frame = stageFrame(width, height, {
-      bare: controls === null,
-      bar: controls?.bar.hidden === false ? controls.bar.offsetHeight : 0,
-      words: (this.overlay.firstElementChild as HTMLElement | null)?.offsetHeight ?? 0,
-      head: Math.max(this.legend.element.hidden ? 0 : 24, controls?.views?.offsetHeight ?? 0),
-    });
-    this.stage.setFrame(frame);
+    const furniture = furnish(controls, this.legend.element, this.overlay);
+    this.stage.setFrame(stageFrame(width, height, furniture));
     this.labelsStale = true;
     const ratio = this.tier === "plain" ? Math.min(devicePixelRatio, 1.5) : devicePixelRatio;
     this.stage.surface.resize(width, height, ratio);
@@ -330,11 +331,11 @@ export class MotionViewer extends HTMLElement implements Playable {
     this.loaded = false;
     this.player.load([]);
     this.stage?.cast([]);
-    this.legend.show([]);
+    this.wanted = [];
     this.overlay.replaceChildren();
-    if (this.controls) this.controls.bar.hidden = true;
-    this.applyLabel();
-    this.layOut();
+    this.showBar();
+    nameArea(this.area, this);
+    this.showLegend();
   }
 
   private awaitMotion(body: Body): void {
@@ -346,19 +347,19 @@ export class MotionViewer extends HTMLElement implements Playable {
     const { stage, player } = this;
     if (!stage) return;
     this.overlay.replaceChildren();
-    stage.setAzimuth(this.number("azimuth"));
+    stage.setAzimuth(numberOf(this, "azimuth"));
     stage.cast(performers);
-    player.load(performers.map(({ clip }) => clip));
-    this.shortestFrame = Math.min(...performers.map(({ clip }) => clip.frameTime));
+    player.load(stage.clips);
+    this.shortestFrame = stage.frameTime;
     this.applyLoop();
     this.counts.reset();
     this.loaded = true;
-    this.legend.show(wanted.map((one) => ({ ...one, ghost: one.ghost !== null })));
-    if (this.controls) this.controls.bar.hidden = false;
-    this.layOut();
+    this.wanted = wanted;
+    this.showBar();
+    this.showLegend();
     if (this.hasAttribute("autoplay") && !this.isStatic) player.play();
-    else this.seek(this.number("poster-time") ?? 0);
-    this.lastFrame = null;
+    else this.seek(numberOf(this, "poster-time") ?? 0);
+    this.frames.restart();
     this.drawFrame(performance.now());
     this.tell("ready");
     this.request();
@@ -397,23 +398,17 @@ export class MotionViewer extends HTMLElement implements Playable {
     if (handleKey(event, this, turn, this.isFull)) event.preventDefault();
   }
 
-  /** Asks for one more frame, unless nobody could see it. */
-  private request(): void {
-    if (!this.visibility.visible) this.lastFrame = null;
-    else if (this.frameRequest === 0 && this.stage) {
-      this.frameRequest = requestAnimationFrame((now) => this.onFrame(now));
-    }
+  protected request(): void {
+    if (this.stage) this.frames.ask();
   }
 
-  private onFrame(now: number): void {
-    this.frameRequest = 0;
-    if (!this.stage || !this.visibility.visible) {
-      this.lastFrame = null;
-      return;
-    }
-    const passed = this.lastFrame === null ? 0 : now - this.lastFrame;
+  /** Returns whether more frames are to follow. */
+  private onFrame(now: number, passed: number): boolean {
     const { player, stage } = this;
-    const moving = !player.paused;
+    if (!stage) return false;
+    const { posed } = this;
+    this.posed = false;
+    const moving = !player.paused || posed;
     player.advance(passed / 1000);
     stage.orbit.advance(passed);
     if (moving && passed > 0) this.counts.countInterval(passed);
@@ -421,27 +416,30 @@ export class MotionViewer extends HTMLElement implements Playable {
     // Only frames in a running sequence say what a frame costs: the first one compiles shaders.
     if (passed > 0) this.counts.countWork(busy);
     if (moving && passed > 0 && tierChooser().note(passed)) this.applyTier();
-    const going = !player.paused || stage.orbit.flying;
-    this.lastFrame = going ? now : null;
-    if (going) this.request();
+    return !player.paused || posed || stage.orbit.flying;
   }
 
   /** Poses and draws; returns the main-thread time it took, in milliseconds. */
   private drawFrame(now: number): number {
-    const { stage, player } = this;
+    const { stage } = this;
     if (!stage) return 0;
     const started = performance.now();
-    if (this.loaded) stage.setTime(player.elapsed);
+    this.showMoment();
     stage.draw();
     if (this.labelsStale) this.legend.place(stage.labelPlaces());
     this.labelsStale = stage.orbit.flying;
     const busy = performance.now() - started;
     if (this.loaded) this.counts.countFrame();
     this.controls?.update();
-    if (now - this.lastTold >= TELL_MS || player.paused) {
-      this.lastTold = now;
-      this.tell("timeupdate");
-    }
+    this.tellOfFrame(now);
     return busy;
+  }
+
+  private tellOfFrame(now: number): void {
+    this.tell("frame", { time: this.currentTime });
+    for (const index of this.unseen.splice(0)) this.tell("motion", { index });
+    if (now - this.lastTold < TELL_MS && !this.player.paused) return;
+    this.lastTold = now;
+    this.tell("timeupdate", { time: this.currentTime });
   }
 }

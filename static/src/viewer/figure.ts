@@ -6,6 +6,7 @@ import type { MotionClip, Pose } from "./clip";
 import { Disc } from "./ground";
 import type { FigureRole, GhostKind, Mode } from "./looks";
 import { Clay, ghostDepthMaterial } from "./material";
+import { FollowedPath } from "./path";
 import { MOST_SOLE_POINTS, MOST_SPHERES } from "./shading";
 import type { Tier } from "./statistics";
 
@@ -34,7 +35,9 @@ export class Figure {
   private readonly clay: Clay;
   private readonly spheres: Vector4[];
   private readonly soles: Vector4[];
-  private readonly pose: Pose;
+  /** What it shows now. */
+  readonly pose: Pose;
+  private readonly followed = new FollowedPath();
   /** For each joint of the clip its bone, or -1 where the body has none. */
   private readonly links: Int16Array;
   private readonly point = new Vector3();
@@ -42,7 +45,7 @@ export class Figure {
 
   constructor(
     private readonly body: Body,
-    readonly clip: MotionClip,
+    public clip: MotionClip,
     private readonly options: FigureOptions,
   ) {
     this.pose = clip.makePose();
@@ -78,10 +81,32 @@ export class Figure {
     return this.pose.path;
   }
 
-  /** Takes the pose of a moment, standing over its place. */
+  /** Takes the pose of a moment. */
   setTime(seconds: number): void {
+    this.clip.sample(seconds, this.pose);
+    this.show();
+  }
+
+  /** Takes a pose from outside, at a time in seconds: root in metres, rotations xyzw. */
+  setPose(root: ArrayLike<number>, rotations: ArrayLike<number>, time: number): void {
+    const { pose } = this;
+    pose.root.set(root);
+    pose.rotations.set(rotations);
+    this.followed.follow(root[0]!, root[2]!, time, pose.path);
+    this.show();
+  }
+
+  /** Takes the very pose of another figure of the same skeleton. */
+  copy(pose: Pose): void {
+    this.pose.root.set(pose.root);
+    this.pose.rotations.set(pose.rotations);
+    this.pose.path.set(pose.path);
+    this.show();
+  }
+
+  /** Poses the bones, the body standing over its place. */
+  private show(): void {
     const { pose, bones, links } = this;
-    this.clip.sample(seconds, pose);
     for (let joint = 0; joint < links.length; joint += 1) {
       const bone = bones[links[joint]!];
       bone?.quaternion.fromArray(pose.rotations, joint * 4);

@@ -118,7 +118,9 @@ export class Glb {
     if (!normalized) return Float32Array.from(array);
     const type = this.json.accessors![index]!.componentType as keyof typeof COMPONENTS;
     const { scale } = COMPONENTS[type];
-    return Float32Array.from(array, (value) => Math.max(value / scale, -1));
+    const values = new Float32Array(array.length);
+    for (let k = 0; k < values.length; k += 1) values[k] = Math.max(array[k]! / scale, -1);
+    return values;
   }
 }
 

@@ -17,6 +17,20 @@ const PHONE_PAD = 50;
 const BARE_PAD = 12;
 const SIDE_PAD = 8;
 
+/** What takes room on the stage: the controls if any, the legend, and words about the motion. */
+export function furnish(
+  controls: { bar: HTMLElement; views: HTMLElement | null } | null,
+  legend: HTMLElement,
+  overlay: HTMLElement,
+): Furniture {
+  return {
+    bare: controls === null,
+    bar: controls?.bar.hidden === false ? controls.bar.offsetHeight : 0,
+    words: (overlay.firstElementChild as HTMLElement | null)?.offsetHeight ?? 0,
+    head: Math.max(legend.hidden ? 0 : 24, controls?.views?.offsetHeight ?? 0),
+  };
+}
+
 export function stageFrame(width: number, height: number, furniture: Furniture): Frame {
   const { padTop, padControls } = looks.camera.fit;
   const { bare, bar, words, head } = furniture;

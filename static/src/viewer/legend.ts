@@ -1,20 +1,21 @@
 /** Which figure is which: a word in its colour, above the figure or in a row for ghosts. */
 import { make } from "./dom";
-import type { FigureRole } from "./looks";
+import type { FigureRole, GhostKind } from "./looks";
 
-export interface LegendEntry {
-  label: string;
-  role: FigureRole;
-  ghost: boolean;
+/** Who is on view, and how. */
+export interface Billing {
+  isSeen(index: number): boolean;
+  ghostOf(index: number): GhostKind | null;
 }
 
 export class Legend {
   readonly element = make("ul", { class: "legend", hidden: true });
 
-  show(entries: LegendEntry[]): void {
-    const labelled = entries.filter((entry) => entry.label);
+  show(figures: { label: string; role: FigureRole }[], billing: Billing): void {
+    const entries = figures.map((one, index) => ({ ...one, ghost: billing.ghostOf(index) }));
+    const labelled = entries.filter(({ label }, index) => label && billing.isSeen(index));
     this.element.hidden = labelled.length === 0;
-    this.element.classList.toggle("row", entries.some((entry) => entry.ghost));
+    this.element.classList.toggle("row", labelled.some(({ ghost }) => ghost));
     this.element.replaceChildren(
       ...labelled.map(({ label, role, ghost }) =>
         make("li", { class: `${role}${ghost ? " ghost" : ""}` }, label),

@@ -48,3 +48,45 @@ function mirrored(roots: Float32Array, axis: number): (frame: number) => number 
   };
   return at;
 }
+
+/** Seconds that the followed path remembers; more would run on too far when the traveller stops. */
+const MEMORY = 0.6;
+/** Metres from the expected place beyond which the traveller was put elsewhere. */
+const LEAP = 1.5;
+/** Seconds without a pose after which the pace of before means nothing. */
+const LONGEST_GAP = 1;
+
+/**
+ * Follows a traveller whose way is not known beforehand, smoothing out the sway of the steps.
+ *
+ * The fading-memory filter of first degree (N. Morrison, Introduction to Sequential Smoothing and
+ * Prediction, 1969): it does not lag behind an even pace, and any time between two poses will do.
+ */
+export class FollowedPath {
+  private readonly place = [0, 0];
+  private readonly pace = [0, 0];
+  private time = -Infinity;
+
+  /** Notes where the hips are at a time, in seconds; writes x and z of the path. */
+  follow(x: number, z: number, time: number, out: Float32Array): void {
+    const { place, pace } = this;
+    const now = [x, z];
+    const seconds = time - this.time;
+    this.time = time;
+    const off = now.map((value, axis) => value - place[axis]! - pace[axis]! * seconds);
+    if (seconds > LONGEST_GAP || Math.hypot(...off) > LEAP) this.restart(now);
+    else if (seconds > 0) {
+      const fade = Math.exp(-seconds / MEMORY);
+      for (let axis = 0; axis < 2; axis += 1) {
+        place[axis] = now[axis]! - fade * fade * off[axis]!;
+        pace[axis]! += ((1 - fade) ** 2 * off[axis]!) / seconds;
+      }
+    }
+    out.set(place);
+  }
+
+  private restart(place: number[]): void {
+    this.place.splice(0, 2, ...place);
+    this.pace.fill(0);
+  }
+}

@@ -96,3 +96,23 @@ describe("the player's clock", () => {
     expect(arrivals).toEqual([0, 2.5, 4, 0]);
   });
 });
+
+describe("another clip in the place of the one that plays", () => {
+  it("goes on from the same moment, or from its end where it is shorter", () => {
+    const player = playing([take]);
+    player.advance(0.9);
+    player.swap([{ duration: 3, cyclic: false }]);
+    expect([player.currentTime, player.paused]).toEqual([0.9, false]);
+    player.swap([{ duration: 0.5, cyclic: false }]);
+    expect([player.currentTime, player.paused]).toEqual([0.5, false]);
+  });
+
+  it("keeps the count of cycles where they are as long as before", () => {
+    const player = playing([walk], true);
+    for (let k = 0; k < 10; k += 1) player.advance(0.5);
+    player.swap([{ ...walk }]);
+    expect(player.elapsed).toBeCloseTo(5, 9);
+    player.swap([{ duration: 2, cyclic: true }]);
+    expect(player.elapsed).toBeCloseTo(5 % 1.1, 9);
+  });
+});

@@ -28,6 +28,14 @@ export class Player {
     this.paused = true;
   }
 
+  /** Puts other clips in the place of those that play: same moment, playing on or paused. */
+  swap(parts: Part[]): void {
+    const { currentTime, duration } = this;
+    this.parts = parts;
+    // The count of cycles means nothing for cycles of another length.
+    if (this.duration !== duration || !this.endless) this.seek(currentTime);
+  }
+
   /** Seconds of the longest part. */
   get duration(): number {
     return this.parts.reduce((longest, part) => Math.max(longest, part.duration), 0);

@@ -2,7 +2,7 @@
 import { Scene, Vector3 } from "three";
 import type { Body } from "./body";
 import { OrbitCamera, type Frame, type Subject } from "./camera";
-import type { MotionClip } from "./clip";
+import { demandSameSkeleton, type MotionClip } from "./clip";
 import { Figure } from "./figure";
 import { Disc, Floor } from "./ground";
 import { Lights } from "./lights";
@@ -18,6 +18,10 @@ export interface Performer {
   ghost: GhostKind | null;
 }
 
+/** Ghosts behind as the page wants them, all side by side, or one alone. */
+export const ARRANGEMENTS = ["ghost", "beside", "one"] as const;
+export type Arrangement = (typeof ARRANGEMENTS)[number];
+
 /** Half the distance between two figures side by side, metres: the pair's discs just part. */
 const HALF_GAP = 0.55;
 const DISC_MARGIN = 0.04;
@@ -31,6 +35,10 @@ export class Stage {
   private readonly floor = new Floor();
   private readonly point = new Vector3();
   private performers: Performer[] = [];
+  private arrangement: Arrangement = "ghost";
+  private readonly hidden = new Set<number>();
+  /** The figures of each arrangement shown so far: coming back to one makes nothing anew. */
+  private readonly built = new Map<Arrangement, Figure[]>();
   private mode: Mode = "light";
   private tier: Tier = "full";
   private azimuth: number | null = null;
@@ -47,9 +55,73 @@ export class Stage {
   /** Puts figures on the stage. Their clips begin at their first pose. */
   cast(performers: Performer[]): void {
     this.performers = performers;
+    this.hidden.clear();
     this.rebuild();
+    this.setTime(0);
     this.orbit.setSubject(this.subject(), this.homeAzimuth);
     this.orbit.jump(this.homeAzimuth);
+  }
+
+  /**
+   * Gives a figure another motion. Nothing is built anew; the camera steps back if it must.
+   * Throws GlbError when the motion is not for the figure's skeleton.
+   */
+  setMotion(index: number, clip: MotionClip, still: boolean): void {
+    const performer = this.performers[index];
+    if (!performer) throw new RangeError(this.nobody(index));
+    demandSameSkeleton(clip, performer.clip);
+    this.performers[index] = { ...performer, clip };
+    for (const figures of this.built.values()) figures[index]!.clip = clip;
+    this.orbit.makeRoom(this.subject(), still);
+  }
+
+  /** Poses one figure from outside at a time in seconds; the grid goes with its smoothed way. */
+  setPose(
+    index: number,
+    root: ArrayLike<number>,
+    rotations: ArrayLike<number>,
+    time: number,
+  ): void {
+    const figure = this.figures[index];
+    if (!figure) throw new RangeError(this.nobody(index));
+    const joints = figure.clip.names.length;
+    if (root.length !== 3 || rotations.length !== 4 * joints) {
+      throw new RangeError(
+        `A pose of figure ${index} is 3 and ${4 * joints} numbers (${joints} joints), ` +
+          `not ${root.length} and ${rotations.length}.`,
+      );
+    }
+    figure.setPose(root, rotations, time);
+    this.travel();
+  }
+
+  /** Places the figures otherwise. The view stays where a person has turned it. */
+  arrange(arrangement: Arrangement): void {
+    if (arrangement === this.arrangement) return;
+    const { moved } = this.orbit;
+    this.arrangement = arrangement;
+    this.enter();
+    this.orbit.setSubject(this.subject(), this.homeAzimuth);
+    if (!moved) this.orbit.jump(this.homeAzimuth);
+  }
+
+  setShown(index: number, shown: boolean): void {
+    if (shown) this.hidden.delete(index);
+    else this.hidden.add(index);
+    this.show();
+  }
+
+  /** Whether a figure is on view; of several alone in one place, the first that is shown. */
+  isSeen(index: number): boolean {
+    if (this.hidden.has(index)) return false;
+    if (this.arrangement !== "one") return true;
+    return this.performers.findIndex((_, k) => !this.hidden.has(k)) === index;
+  }
+
+  /** How a figure is drawn where it stands now. A figure still awaited is pale anywhere. */
+  ghostOf(index: number): GhostKind | null {
+    const ghost = this.performers[index]?.ghost ?? null;
+    return ghost === "loading" || this.arrangement === "ghost" ? ghost : null;
   }
 
   setMode(mode: Mode): void {
@@ -63,7 +135,9 @@ export class Stage {
   setTier(tier: Tier): void {
     if (tier === this.tier) return;
     this.tier = tier;
+    const poses = this.figures.map(({ pose }) => pose);
     this.rebuild();
+    poses.forEach((pose, index) => this.figures[index]!.copy(pose));
   }
 
   /** The standard view of this stage where it is not the usual one, in degrees. */
@@ -83,8 +157,7 @@ export class Stage {
     for (let index = 0; index < this.figures.length; index += 1) {
       this.figures[index]!.setTime(seconds);
     }
-    const path = this.leader?.path;
-    if (path) this.floor.travel(path[0]!, path[1]!);
+    this.travel();
   }
 
   /** Draws, onto another surface if given. Its size must be that of the last `setFrame`. */
@@ -95,7 +168,9 @@ export class Stage {
   /** Where a label belongs: above each figure that has a place of its own, in CSS pixels. */
   labelPlaces(): number[] {
     const top = this.subject().high;
-    return this.places.map((place) => this.project(place, top, 0).x);
+    return this.figures
+      .filter((figure, index) => figure.disc && this.isSeen(index))
+      .map((figure) => this.project(figure.group.position.x, top, 0).x);
   }
 
   /** Where a point (metres) is seen: CSS pixels from the upper left of the stage. */
@@ -105,13 +180,23 @@ export class Stage {
   }
 
   dispose(): void {
-    for (const figure of this.figures) figure.dispose();
+    this.clear();
     this.bareDisc?.dispose();
     this.floor.dispose();
   }
 
+  get clips(): MotionClip[] {
+    return this.performers.map(({ clip }) => clip);
+  }
+
+  /** Seconds of the shortest frame of the clips. */
+  get frameTime(): number {
+    return Math.min(...this.clips.map(({ frameTime }) => frameTime));
+  }
+
   private get solid(): number {
-    return this.performers.filter((performer) => !performer.ghost).length;
+    if (this.arrangement === "one") return 1;
+    return this.performers.filter((_, index) => !this.ghostOf(index)).length;
   }
 
   /** x of each place, metres, from left to right. */
@@ -129,22 +214,59 @@ export class Stage {
     return this.solid > 1 ? looks.ground.discRadiusPair : looks.ground.discRadius;
   }
 
+  private nobody(index: number): string {
+    const count = this.performers.length;
+    return `There is no figure ${index} on the stage; it has ${count}. Wait for “ready” first.`;
+  }
+
+  private clear(): void {
+    for (const figures of this.built.values()) for (const figure of figures) figure.dispose();
+    this.built.clear();
+    this.figures = [];
+  }
+
   private rebuild(): void {
-    for (const figure of this.figures) figure.dispose();
+    this.clear();
+    this.enter();
+  }
+
+  /** Brings on the figures of the arrangement, in the poses of those that leave. */
+  private enter(): void {
+    const leaving = this.figures;
+    for (const figure of leaving) figure.group.removeFromParent();
+    this.figures = this.built.get(this.arrangement) ?? this.build();
+    this.built.set(this.arrangement, this.figures);
+    for (const figure of this.figures) this.scene.add(figure.group);
+    leaving.forEach(({ pose }, index) => this.figures[index]!.copy(pose));
+    this.light();
+    this.show();
+    this.setMode(this.mode);
+  }
+
+  private build(): Figure[] {
     const { places, discRadius, tier } = this;
     const key = this.lights.keyDirection;
     let taken = -1;
-    this.figures = this.performers.map(({ body, clip, role, ghost }) => {
+    return this.performers.map(({ body, clip, role }, index) => {
+      const ghost = this.ghostOf(index);
       if (!ghost) taken += 1;
-      const place = places[Math.max(taken, 0)] ?? 0;
+      const place = places[Math.min(Math.max(taken, 0), places.length - 1)]!;
       return new Figure(body, clip, { role, ghost, tier, place, discRadius, key });
     });
-    for (const figure of this.figures) this.scene.add(figure.group);
-    this.leader = this.figures.filter((figure) => figure.disc).at(-1);
+  }
+
+  private show(): void {
+    this.figures.forEach((figure, index) => (figure.group.visible = this.isSeen(index)));
+    this.leader = this.figures.filter(({ disc, group }) => disc && group.visible).at(-1);
     this.showBareDisc(this.leader === undefined);
-    this.light();
-    this.setMode(this.mode);
-    this.setTime(0);
+    this.bareDisc?.setMode(this.mode);
+    this.travel();
+  }
+
+  /** Moves the grid to where the leader has come. */
+  private travel(): void {
+    const path = this.leader?.path;
+    if (path) this.floor.travel(path[0]!, path[1]!);
   }
 
   /** The lights belong to the standard view; turning the camera does not move them. */
