@@ -16,6 +16,7 @@ from app.persistence.writer import Writer
 from app.security import AttemptLimiter, SignInCookies
 from app.services import keys, researchers
 from app.services.keys import KeyUses
+from app.workers import Workers
 
 # Those that only look something up are async: a plain function would cost a turn in a thread.
 
@@ -40,8 +41,14 @@ async def _writer(request: Request) -> Writer:
     return writer
 
 
+async def _workers(request: Request) -> Workers:
+    workers: Workers = request.app.state.workers
+    return workers
+
+
 CurrentDatabase = Annotated[Database, Depends(_database)]
 CurrentWriter = Annotated[Writer, Depends(_writer)]
+CurrentWorkers = Annotated[Workers, Depends(_workers)]
 Reading = Annotated[Session, Depends(_reading)]
 Writing = Annotated[Session, Depends(_writing)]
 

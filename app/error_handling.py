@@ -22,6 +22,7 @@ STATUSES: dict[type[errors.MannerError], int] = {
     errors.ConflictError: 409,
     errors.TooLargeError: 413,
     errors.TooManyError: 429,
+    errors.BusyError: 503,
 }
 CODES = {413: errors.TooLargeError.default_code}
 CHALLENGE = {"WWW-Authenticate": "Bearer"}  # how programs may make themselves known
@@ -29,6 +30,7 @@ MENDS = {
     404: "Check the address, or start again from the first page.",
     405: "Use the links and buttons of the pages.",
     413: "Send a smaller file.",
+    503: "Try again in a moment.",
     500: "Try again in a moment. If it happens again, tell whoever runs this server the number.",
 }
 

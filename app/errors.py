@@ -79,3 +79,9 @@ class TooManyError(MannerError):
     """More attempts than the server takes in a while."""
 
     default_code = "too_many_attempts"
+
+
+class BusyError(MannerError):
+    """The server cannot do this now, but may a little later."""
+
+    default_code = "busy"

@@ -17,6 +17,7 @@ from app.pages import make_templates
 from app.persistence.engine import Database, make_engine
 from app.persistence.writer import Writer
 from app.routes import (
+    edits,
     health,
     imports,
     keys,
@@ -39,11 +40,13 @@ from app.security import (
 from app.services.keys import KeyUses
 from app.services.media import MediaStore
 from app.settings import PROJECT, Settings
+from app.workers import Workers
 
 BUILT = PROJECT / "static" / "dist"
 ROUTERS = (
     pages.router,
     library.router,
+    edits.router,
     imports.router,
     media.router,
     health.router,
@@ -89,7 +92,9 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
 @asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     app.state.writer = Writer(app.state.database)
+    app.state.workers = Workers()
     yield
+    app.state.workers.close()
     app.state.writer.close()  # what was handed in is still stored
     app.state.database.engine.dispose()
 

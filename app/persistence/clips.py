@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
-from sqlalchemy import Text, cast, or_, select, update
+from collections.abc import Iterable
+
+from sqlalchemy import Text, cast, func, or_, select, update
+from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Session
 
 from app.persistence import blobs
-from app.persistence.models import ClipRecord, FigureRecord, Response, Study, StudySession
+from app.persistence.models import (
+    Blob,
+    ClipRecord,
+    FigureRecord,
+    GraphRecord,
+    Response,
+    Study,
+    StudySession,
+)
 
 
 def listed(db: Session, *, imported: bool) -> list[tuple[ClipRecord, str | None]]:
@@ -41,6 +52,40 @@ def put(db: Session, clip: ClipRecord) -> ClipRecord:
     stored = db.merge(clip)
     blobs.delete_orphans(db, replaced - _files(stored))
     return stored
+
+
+def add(db: Session, clip: ClipRecord) -> bool:
+    """Store a clip unless one with its id is there; whether it was stored.
+
+    Left to the database, because another server may store the same clip at the same moment.
+    """
+    dialect = postgresql if db.get_bind().dialect.name == "postgresql" else sqlite
+    given = {c.key: getattr(clip, c.key) for c in ClipRecord.__mapper__.column_attrs}
+    values = {name: value for name, value in given.items() if value is not None}
+    statement = dialect.insert(ClipRecord).values(values)
+    statement = statement.on_conflict_do_nothing(index_elements=[ClipRecord.id])
+    return bool(db.scalars(statement.returning(ClipRecord.id)).all())
+
+
+def contents(db: Session, ids: Iterable[str]) -> dict[str, bytes]:
+    """Id to bytes of those of the named clips that are there."""
+    wanted = list(ids)
+    if not wanted:
+        return {}
+    query = select(ClipRecord.id, Blob.content).join(Blob, Blob.hash == ClipRecord.clip_blob)
+    return dict(db.execute(query.where(ClipRecord.id.in_(wanted))).tuples().all())
+
+
+def made_from(db: Session, clip_id: str) -> int:
+    """How many clips were made from this one, as their source or as an example in a recipe."""
+    uses = or_(ClipRecord.recipe_source == clip_id, cast(ClipRecord.recipe, Text).contains(clip_id))
+    return db.scalar(select(func.count()).select_from(ClipRecord).where(uses)) or 0
+
+
+def is_in_graph(db: Session, clip_id: str) -> bool:
+    """Whether a motion graph plays the clip."""
+    query = select(GraphRecord.id).where(cast(GraphRecord.definition, Text).contains(clip_id))
+    return db.scalar(query.limit(1)) is not None
 
 
 def imported_by_others(db: Session, engine_version: str) -> list[str]:

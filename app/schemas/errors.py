@@ -46,3 +46,7 @@ ERRORS: dict[int | str, dict[str, Any]] = {
         422: "Does not make sense",
     }.items()
 }
+# Besides, where motions are computed.
+BUSY: dict[int | str, dict[str, Any]] = {
+    503: {"model": ErrorResponse, "description": "Too much to do at this moment"}
+}

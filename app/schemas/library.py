@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic.config import JsonDict
@@ -23,7 +23,20 @@ _CLIP: JsonDict = {
     "poster_time": 0.8,
     "glb_url": "/media/5d41402abc4b2a76b9719d911017c5925d41402abc4b2a76b9719d911017c592.glb",
     "figure_url": "/media/7d793037a0760186574b0282f2f435e77d793037a0760186574b0282f2f435e7.glb",
+    "recipe_source": None,
     "page_url": "/library/0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+}
+
+
+_STEP: JsonDict = {"operation": "grid@1", "parameters": {"path": 0.4, "timing": 1.6}}
+_FINDING: JsonDict = {
+    "kind": "foot slip",
+    "part": "left foot",
+    "start": 0.4,
+    "end": 0.6,
+    "size": 0.012,
+    "unit": "m",
+    "limit": 0.005,
 }
 
 
@@ -104,7 +117,7 @@ class ClipView(BaseModel):
 
     id: str
     name: str
-    source: Literal["sample", "imported"]
+    source: Literal["sample", "imported", "edited"]
     state: Literal["kept", "to_confirm", "retired"]
     tags: dict[str, str]
     frames: int
@@ -116,12 +129,103 @@ class ClipView(BaseModel):
     glb_url: str
     figure_url: str | None
     page_url: str
+    recipe_source: str | None
+
+
+class Step(BaseModel):
+    """One operation of a recipe; what it takes is told by ``GET /api/v1/operations``."""
+
+    model_config = ConfigDict(json_schema_extra={"example": _STEP})
+
+    operation: str
+    parameters: dict[str, Any] = {}
+
+
+class Provenance(BaseModel):
+    """What an edited clip is made of.
+
+    Attributes:
+        source: id of the clip that was edited; source_hash: hash of its motion.
+        recipe: every step with all its parameters.
+        engine_version: of the motion library that made it; current_engine: whether that one is
+            still in use here.
+        content_hash: hash of the edited motion.
+    """
+
+    source: str
+    source_name: str
+    source_hash: str
+    recipe: list[Step]
+    recipe_hash: str
+    engine_version: str
+    current_engine: bool
+    content_hash: str
+
+
+class Finding(BaseModel):
+    """One thing that an edit broke, with its place in time.
+
+    Attributes:
+        kind: such as ``foot slip``; part: the body part.
+        start, end: seconds.
+        size: the worst value; limit: what would have been allowed; both in ``unit``.
+    """
+
+    model_config = ConfigDict(json_schema_extra={"example": _FINDING})
+
+    kind: str
+    part: str
+    start: float
+    end: float
+    size: float
+    unit: str
+    limit: float
+
+
+class QualityReport(BaseModel):
+    """Everything that an edit broke, in the order of time."""
+
+    model_config = ConfigDict(
+        json_schema_extra={"example": {"clean": False, "findings": [_FINDING]}}
+    )
+
+    clean: bool
+    findings: list[Finding]
 
 
 class ClipDetail(ClipView):
-    """A clip with the report of its import; samples have none."""
+    """A clip with the report of its import, or with what it is made of.
+
+    Attributes:
+        provenance: of an edited clip.
+        quality: of an edited clip, once somebody has asked for it.
+    """
 
     report: ImportReport | None
+    provenance: Provenance | None
+    quality: QualityReport | None
+
+
+class Motion(BaseModel):
+    """A motion in numbers: metres, seconds, local rotations as quaternions w, x, y, z.
+
+    Attributes:
+        parents: of each joint, −1 for the root; offsets: from the parent.
+        root_positions: of each frame; rotations: of each frame and joint.
+    """
+
+    names: list[str]
+    parents: list[int]
+    offsets: list[tuple[float, float, float]]
+    frame_time: float
+    root_positions: list[tuple[float, float, float]]
+    rotations: list[list[tuple[float, float, float, float]]]
+
+
+class ClipDocument(ClipDetail):
+    """A clip with its motion, which ``?motion=false`` leaves out."""
+
+    motion: Motion | None = None
 
 
 class ClipList(BaseModel):

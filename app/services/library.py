@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 from app.errors import ConflictError, NotFoundError
 from app.persistence import blobs, clips
 from app.persistence.models import ClipRecord
-from app.schemas.library import ClipDetail, ClipList, ClipView
+from app.schemas.library import ClipDetail, ClipList, ClipView, Provenance
 from app.services.engine_version import engine_version
 from app.services.studies import media_url
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wai
 def listed(db: Session, query: str, tags: Sequence[str], *, signed_in: bool) -> ClipList:
     """The clips that hold every word of the query in name or tags, and every tag.
 
-    A tag is ``emotion:sad``, or a value alone: ``sad``. Imported clips show to researchers only.
+    A tag is ``emotion:sad``, or a value alone: ``sad``. All but samples show to researchers only.
     """
     words = query.lower().split()
     found = [
@@ -33,15 +33,26 @@ def listed(db: Session, query: str, tags: Sequence[str], *, signed_in: bool) -> 
 
 
 def detail(db: Session, clip_id: str, *, signed_in: bool) -> ClipDetail:
-    """One clip with the report of its import."""
-    clip = find(db, clip_id, signed_in=signed_in)
+    """One clip: how it came in, or what it is made of."""
+    return described(db, find(db, clip_id, signed_in=signed_in))
+
+
+def described(db: Session, clip: ClipRecord) -> ClipDetail:
+    """A clip with the report of its import or its provenance."""
     figure = clips.figure(db, clip.skeleton_hash)
     known = view(clip, figure.glb_blob if figure else None)
-    return ClipDetail.model_validate({**known.model_dump(), "report": clip.report})
+    return ClipDetail.model_validate(
+        {
+            **known.model_dump(),
+            "report": clip.report,
+            "provenance": _provenance(db, clip),
+            "quality": clip.quality,
+        }
+    )
 
 
 def find(db: Session, clip_id: str, *, signed_in: bool) -> ClipRecord:
-    """The clip; to strangers an imported one is not there at all.
+    """The clip; to strangers all but samples are not there at all.
 
     Raises:
         NotFoundError: there is none that this person may see.
@@ -51,7 +62,7 @@ def find(db: Session, clip_id: str, *, signed_in: bool) -> ClipRecord:
         raise NotFoundError(
             "There is no such clip.",
             code="clip_not_found",
-            mend="Look for it in the library. Imported clips show after signing in.",
+            mend="Look for it in the library. Other clips than samples show after signing in.",
         )
     return clip
 
@@ -64,8 +75,27 @@ def confirm(db: Session, clip_id: str) -> ClipDetail:
     return detail(db, clip_id, signed_in=True)
 
 
+def label(db: Session, clip_id: str, name: str, tags: dict[str, str] | None) -> ClipDetail:
+    """Give a clip another name, and other tags if any are given.
+
+    Raises:
+        ConflictError: the clip is a sample, which studies and papers know by its name.
+    """
+    clip = find(db, clip_id, signed_in=True)
+    if clip.source == "sample":
+        raise ConflictError("Samples keep their names and tags.", code="sample_clip")
+    clip.name = name
+    clip.tags = clip.tags if tags is None else tags
+    db.commit()
+    return described(db, clip)
+
+
 def delete(db: Session, clip_id: str) -> None:
-    """Delete an imported clip and its files, unless a study needs it."""
+    """Delete an imported or edited clip and its files, unless something needs it.
+
+    Raises:
+        ConflictError: it is a sample, or a study, a graph or other clips need it.
+    """
     clip = find(db, clip_id, signed_in=True)
     if clip.source == "sample":
         raise ConflictError("Samples come with the server and stay.", code="sample_clip")
@@ -74,6 +104,19 @@ def delete(db: Session, clip_id: str) -> None:
             "A study shows this clip, or somebody has answered it.",
             code="clip_in_use",
             mend="Take it out of the study first; answered clips stay.",
+        )
+    if clips.is_in_graph(db, clip_id):
+        raise ConflictError(
+            "A motion graph plays this clip.",
+            code="clip_in_use",
+            mend="Take it out of the graph first.",
+        )
+    if made := clips.made_from(db, clip_id):
+        raise ConflictError(
+            f"{made} {'clip was' if made == 1 else 'clips were'} made from this one.",
+            code="clip_has_edits",
+            mend="Delete what was made from it first.",
+            extra={"edits": made},
         )
     clips.delete(db, clip)
     db.commit()
@@ -91,7 +134,17 @@ def store(
     source_file: bytes | None = None,
 ) -> ClipRecord:
     """Add a clip with its files; the caller commits."""
-    clip = ClipRecord(
+    clip = record(db, files, name=name, source=source, state=state, tags=tags)
+    clip.report = report
+    clip.source_blob = None if source_file is None else blobs.put(db, source_file, blobs.BVH)
+    return clips.put(db, clip)
+
+
+def record(
+    db: Session, files: ClipFiles, *, name: str, source: str, state: str, tags: dict[str, str]
+) -> ClipRecord:
+    """A clip's row, its files stored and itself not yet."""
+    return ClipRecord(
         id=files.id,
         name=name,
         source=source,
@@ -104,14 +157,11 @@ def store(
         stature=files.stature,
         poster_time=files.poster_time,
         tags=tags,
-        report=report,
         clip_blob=blobs.put(db, files.clip, blobs.CLIP),
         glb_blob=blobs.put(db, files.glb, blobs.GLB),
-        source_blob=None if source_file is None else blobs.put(db, source_file, blobs.BVH),
         content_hash=files.id,
         engine_version=engine_version(),
     )
-    return clips.put(db, clip)
 
 
 def view(clip: ClipRecord, figure: str | None) -> ClipView:
@@ -122,6 +172,25 @@ def view(clip: ClipRecord, figure: str | None) -> ClipView:
             "glb_url": media_url(clip.glb_blob),
             "figure_url": figure and media_url(figure),
             "page_url": f"/library/{clip.id}",
+        }
+    )
+
+
+def _provenance(db: Session, clip: ClipRecord) -> Provenance | None:
+    """What an edited clip is made of."""
+    source = clips.by_id(db, clip.recipe_source) if clip.recipe_source else None
+    if source is None or clip.recipe is None or clip.recipe_hash is None:
+        return None
+    return Provenance.model_validate(
+        {
+            "source": source.id,
+            "source_name": source.name,
+            "source_hash": source.content_hash,
+            "recipe": clip.recipe,
+            "recipe_hash": clip.recipe_hash,
+            "engine_version": clip.engine_version,
+            "current_engine": clip.engine_version == engine_version(),
+            "content_hash": clip.content_hash,
         }
     )
 
