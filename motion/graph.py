@@ -9,8 +9,7 @@ and the distance a matrix product, so all pairs of frames are compared at once.
 
 from __future__ import annotations
 
-import heapq
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from itertools import product
@@ -19,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import minimum_filter1d
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components
+from scipy.sparse.csgraph import connected_components, dijkstra
 
 from motion.clip import Clip
 from motion.errors import MotionError
@@ -30,6 +29,9 @@ Array = NDArray[np.float64]
 _APART = 0.3  # s between two transitions of the same pair of clips, at both ends
 _GOOD = 0.5  # of the threshold: below, a transition need not be at a minimum
 _SAME = 0.02  # m: a clip whose frames are all that near to each other stands still
+_FEWER = 1e-3  # frames that a transition counts more: of two ways as long, that with fewer is taken
+
+Key = tuple[str, int, str, int]  # a transition's source, source frame, target and target frame
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,11 @@ class Transition:
     shift: tuple[float, float]
     distance: float
 
+    @property
+    def key(self) -> Key:
+        """What tells it from the graph's other transitions."""
+        return self.source, self.source_frame, self.target, self.target_frame
+
 
 @dataclass(frozen=True, eq=False)
 class MotionGraph:
@@ -62,11 +69,14 @@ class MotionGraph:
         clips: by name; one skeleton, one frame time.
         transitions: ordered by source, frame and target.
         fade: frames that a cross-fade lasts.
+        dead_ends: transitions that were found but left out: the way would end after them, or
+            nothing leads to them.
     """
 
     clips: Mapping[str, Clip]
     transitions: tuple[Transition, ...]
     fade: int
+    dead_ends: tuple[Transition, ...] = ()
 
     @cached_property
     def by_source(self) -> Mapping[str, tuple[Transition, ...]]:
@@ -85,9 +95,50 @@ class MotionGraph:
         return found
 
     def left(self, clip: str, frame: int) -> float:
-        """Seconds from a frame of a clip to its end; a cyclic one has none."""
+        """Seconds from a frame of a clip to where it is left at last; a cyclic one has no last."""
         found = self.clips[clip]
-        return np.inf if found.cyclic else (found.frames - 1 - frame) * found.frame_time
+        if found.cyclic:
+            return np.inf
+        last = max((t.source_frame for t in self.by_source[clip]), default=-1)
+        return (last - frame) * found.frame_time
+
+    @cached_property
+    def links(self) -> csr_array:
+        """(N, N) frames from the end of one transition to the end of one that can follow it."""
+        rows, columns, frames = [], [], []
+        place = {transition: index for index, transition in enumerate(self.transitions)}
+        for index, transition in enumerate(self.transitions):
+            after = transition.target_frame + self.fade
+            for wait, follower in self.leaving(transition.target, after):
+                rows.append(index)
+                columns.append(place[follower])
+                frames.append(wait + self.fade + _FEWER)
+        count = len(self.transitions)
+        return csr_array((frames, (rows, columns)), shape=(count, count), dtype=float)
+
+    def frames_to(self, target: str, lasting: float) -> Mapping[Transition, float]:
+        """Frames from the end of each transition until a clip is reached, by the soonest way.
+
+        Args:
+            target: name of the clip.
+            lasting: s of it that are still to come on arrival.
+        """
+        key = target, lasting
+        if key not in self._frames_to:
+            reached = [
+                index
+                for index, t in enumerate(self.transitions)
+                if t.target == target and self.left(target, t.target_frame + self.fade) >= lasting
+            ]
+            found = np.full(len(self.transitions), np.inf)
+            if reached:
+                found = dijkstra(self.links.T, indices=reached, min_only=True)
+            self._frames_to[key] = dict(zip(self.transitions, found.tolist(), strict=True))
+        return self._frames_to[key]
+
+    @cached_property
+    def _frames_to(self) -> dict[tuple[str, float], dict[Transition, float]]:
+        return {}
 
     def to_dict(self) -> dict[str, object]:
         """As plain values, for JSON."""
@@ -95,7 +146,12 @@ class MotionGraph:
 
 
 def build_graph(
-    clips: Mapping[str, Clip], *, threshold: float = 0.07, fade: float = 0.3
+    clips: Mapping[str, Clip],
+    *,
+    threshold: float = 0.07,
+    fade: float = 0.3,
+    removed: Collection[Key] = (),
+    added: Collection[Key] = (),
 ) -> MotionGraph:
     """The graph of clips, its transitions at the local minima of their distance.
 
@@ -103,18 +159,24 @@ def build_graph(
 
     Args:
         clips: at least one; one skeleton, one frame time.
-        threshold: m, the greatest distance of a transition.
+        threshold: m, the greatest distance of a transition that is found.
         fade: s, length of the cross-fade, over which clips are compared.
+        removed: transitions that are left out though they were found.
+        added: transitions that are there whatever their distance.
 
     Raises:
-        MotionError: if the clips do not belong together.
+        MotionError: if the clips do not belong together, or an added transition has no place.
     """
     step = _common_frame_time(clips)
     frames = max(2, round(fade / step))
     windows = {name: Windows.of(clip, frames) for name, clip in clips.items()}
     search = _Search(windows, threshold, round(_APART / step))
     found = [t for source, target in product(clips, clips) for t in search.between(source, target)]
-    return _strongly_connected(MotionGraph(dict(clips), tuple(found), frames))
+    ways = {t.key: t for t in found if t.key not in removed}
+    ways |= {key: search.at(*key) for key in added}
+    order = {name: index for index, name in enumerate(clips)}
+    kept = sorted(ways.values(), key=lambda t: (order[t.source], t.source_frame, order[t.target]))
+    return _strongly_connected(MotionGraph(dict(clips), tuple(kept), frames))
 
 
 def edit_graph(graph: MotionGraph, edit: Callable[[Clip], Clip]) -> MotionGraph:
@@ -142,7 +204,7 @@ def edit_graph(graph: MotionGraph, edit: Callable[[Clip], Clip]) -> MotionGraph:
         turn, shift = one.alignment(other, old.source_frame, old.target_frame)
         distance = one.distance(other, old.source_frame, old.target_frame)
         fitted.append(replace(old, turn=turn, shift=shift, distance=distance))
-    return MotionGraph(clips, tuple(fitted), graph.fade)
+    return MotionGraph(clips, tuple(fitted), graph.fade, graph.dead_ends)
 
 
 def route(
@@ -165,22 +227,16 @@ def route(
     for name in (clip, target):
         if name not in graph.clips:
             raise MotionError(f"The graph has no clip “{name}”, only {', '.join(graph.clips)}.")
-    waiting: list[tuple[int, int, str, int, list[Transition]]] = [(0, 0, clip, frame, [])]
-    seen: set[tuple[str, int]] = set()
-    count = 0
-    while waiting:
-        time, _, here, at, way = heapq.heappop(waiting)
-        if here == target and graph.left(here, at) >= lasting:
-            return way
-        if (here, at) in seen:
-            continue
-        seen.add((here, at))
-        for wait, transition in graph.leaving(here, at):
-            count += 1  # of two ways that take as long, the one found first
-            after = transition.target_frame + graph.fade
-            arrival = (time + wait + graph.fade, count, transition.target, after)
-            heapq.heappush(waiting, (*arrival, [*way, transition]))
-    raise MotionError(f"From frame {frame} of “{clip}” no way leads to “{target}”.")
+    still = graph.frames_to(target, lasting)
+    way: list[Transition] = []
+    while clip != target or graph.left(clip, frame) < lasting:
+        ahead = [(w + graph.fade + _FEWER + still[t], t) for w, t in graph.leaving(clip, frame)]
+        frames, chosen = min(ahead, key=lambda one: one[0], default=(np.inf, None))
+        if chosen is None or not np.isfinite(frames):
+            raise MotionError(f"From frame {frame} of “{clip}” no way leads to “{target}”.")
+        way.append(chosen)
+        clip, frame = chosen.target, chosen.target_frame + graph.fade
+    return way
 
 
 def _common_frame_time(clips: Mapping[str, Clip]) -> float:
@@ -222,6 +278,27 @@ class _Search:
             turn, shift = one.alignment(other, i, j)
             yield Transition(source, i, target, j, turn, shift, float(distance[i, j]))
 
+    def at(self, source: str, here: int, target: str, there: int) -> Transition:
+        """The transition at a chosen place.
+
+        Raises:
+            MotionError: if there is no such place.
+        """
+        for name, frame in ((source, here), (target, there)):
+            if name not in self.windows:
+                raise MotionError(f"There is no clip “{name}” among {', '.join(self.windows)}.")
+            count = self.windows[name].count
+            if not 0 <= frame < count:
+                raise MotionError(
+                    f"A transition of “{name}” can begin at the frames 0 to {count - 1}, "
+                    f"not at {frame}: the cross-fade has to end before the clip does."
+                )
+        one, other = self.windows[source], self.windows[target]
+        turn, shift = one.alignment(other, here, there)
+        return Transition(
+            source, here, target, there, turn, shift, one.distance(other, here, there)
+        )
+
     def _distances(self, source: str, target: str) -> Array:
         """(N, M) m; a clip's own neighbouring frames are infinitely far apart."""
         one = self.windows[source]
@@ -256,17 +333,12 @@ class _Search:
 def _strongly_connected(graph: MotionGraph) -> MotionGraph:
     """The graph without transitions after which the way would end."""
     ways = graph.transitions
-    number = {id(transition): index for index, transition in enumerate(ways)}
-    pairs = [
-        (index, number[id(follower)])
-        for index, transition in enumerate(ways)
-        for _, follower in graph.leaving(transition.target, transition.target_frame + graph.fade)
-    ]
-    if not pairs:
-        return MotionGraph(graph.clips, (), graph.fade)
-    rows, columns = np.array(pairs).T
-    links = csr_array((np.ones(len(rows)), (rows, columns)), shape=(len(ways), len(ways)))
-    _, parts = connected_components(links, directed=True, connection="strong")
-    largest = np.bincount(parts).argmax()
-    kept = tuple(t for t, part in zip(ways, parts, strict=True) if part == largest)
-    return MotionGraph(graph.clips, kept, graph.fade)
+    kept = np.zeros(len(ways), bool)
+    if graph.links.nnz:
+        _, parts = connected_components(graph.links, directed=True, connection="strong")
+        kept = parts == np.bincount(parts).argmax()
+    inside, outside = (
+        tuple(t for t, one in zip(ways, kept, strict=True) if one == chosen)
+        for chosen in (True, False)
+    )
+    return replace(graph, transitions=inside, dead_ends=outside)

@@ -9,6 +9,7 @@ from motion.clip import Clip
 from motion.procedural.bodies import BODIES
 from motion.procedural.bow import bow
 from motion.procedural.knock import walk_and_knock
+from motion.procedural.steering import graph_clips
 from motion.procedural.styles import ACTED, AFFECTS, CHARACTERS, SPEEDS, at_speed
 from motion.procedural.walk import walk_cycle
 
@@ -23,11 +24,12 @@ class SampleClip:
 
 
 def sample_clips() -> Iterator[SampleClip]:
-    """Sets A (10 walking styles), B (9 affects × 3 speeds), acted (2 bodies × 10), and a bow."""
+    """Sets A (10 walking styles), B (9 affects × 3 speeds), acted (2 bodies × 10), a bow, and the graph's."""
     yield from set_a()
     yield from set_b()
     yield from acted()
     yield SampleClip("bow", bow(BODIES["adult"]), _tags("gesture", "adult"))
+    yield from steered()
 
 
 def set_a() -> Iterator[SampleClip]:
@@ -52,6 +54,12 @@ def acted() -> Iterator[SampleClip]:
         for emotion in ACTED:
             clip = walk_and_knock(emotion, BODIES[body])
             yield SampleClip(f"acted_{body}_{emotion}", clip, _tags("acted", body, emotion=emotion))
+
+
+def steered() -> Iterator[SampleClip]:
+    """Standing, walking, turning left and right, for the sample motion graph."""
+    for name, clip in graph_clips(BODIES["adult"]).items():
+        yield SampleClip(name, clip, _tags("graph", "adult"))
 
 
 def _tags(motion_set: str, body: str, **more: str) -> dict[str, str]:

@@ -236,3 +236,59 @@ def test_a_graph_becomes_plain_values(graph):
     assert plain["fade"] == graph.fade
     assert len(plain["transitions"]) == len(graph.transitions)
     assert isinstance(plain["transitions"][0]["distance"], float)
+
+
+def test_a_removed_transition_is_gone_and_an_added_one_is_there(graph, clips):
+    gone = graph.transitions[5].key
+    new = ("walk", 123, "turn_left", 77)
+    changed = build_graph(clips, removed={gone}, added=[new])
+    keys = {t.key for t in changed.transitions}
+    assert keys == ({t.key for t in graph.transitions} - {gone}) | {new}
+    (added,) = [t for t in changed.transitions if t.key == new]
+    one, other = (Windows.of(clips[name], graph.fade) for name in ("walk", "turn_left"))
+    assert (added.turn, added.shift) == one.alignment(other, 123, 77)
+
+
+def test_transitions_without_a_way_on_are_told_apart(graph, clips):
+    """Without the ways back from standing, what leads there leads nowhere."""
+    removed = {t.key for t in graph.transitions if t.source == "stand"}
+    changed = build_graph(clips, removed=removed)
+    assert not any("stand" in (t.source, t.target) for t in changed.transitions)
+    lost = {t.key for t in graph.transitions if t.target == "stand"} - removed
+    assert lost
+    assert lost <= {t.key for t in changed.dead_ends}
+
+
+def test_a_transition_is_added_only_where_it_has_room(clips):
+    walk = clips["walk"]
+    with pytest.raises(MotionError, match="no clip “swim”"):
+        build_graph(clips, added=[("swim", 0, "walk", 0)])
+    with pytest.raises(MotionError, match=f"frames 0 to {walk.frames - 19}"):
+        build_graph(clips, added=[("walk", walk.frames - 5, "walk", 0)])
+
+
+def test_the_way_is_the_soonest_of_all(graph):
+    """Against a search that looks at every way of up to two transitions."""
+
+    def soonest(clip, frame, target, depth):
+        if clip == target and graph.left(clip, frame) >= 2.0:
+            return 0
+        if depth == 0:
+            return np.inf
+        return min(
+            (
+                wait
+                + graph.fade
+                + soonest(t.target, t.target_frame + graph.fade, target, depth - 1)
+                for wait, t in graph.leaving(clip, frame)
+            ),
+            default=np.inf,
+        )
+
+    for clip, frame, target in [("stand", 7, "walk"), ("turn_left", 480, "turn_right")]:
+        frames, at = 0, frame
+        here = clip
+        for t in route(graph, clip, frame, target):
+            frames += {b: a for a, b in graph.leaving(here, at)}[t] + graph.fade
+            here, at = t.target, t.target_frame + graph.fade
+        assert frames == soonest(clip, frame, target, 2)
