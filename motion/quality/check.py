@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeVar
 
 from motion.clip import Clip
 from motion.quality.feet import imbalance, slips, sunk
@@ -11,6 +12,8 @@ from motion.quality.joints import bends
 from motion.quality.limbs import intersections
 from motion.quality.pair import matched
 from motion.quality.report import QualityReport
+
+Made = TypeVar("Made")
 
 _MEASURES = (slips, sunk, bends, intersections, imbalance, jerks)
 
@@ -50,21 +53,37 @@ def ease_off(
         The amount, the clip and its report, which is not clean only if even amount 0 is not.
     """
 
-    def attempt(amount: float) -> tuple[float, Clip, QualityReport]:
+    def attempt(amount: float) -> tuple[Clip, QualityReport]:
         clip = edit(amount)
-        return amount, clip, check(original, clip)
+        return clip, check(original, clip)
 
-    best = attempt(1.0)
+    return greatest_clean(attempt, steps=steps)
+
+
+def greatest_clean(
+    attempt: Callable[[float], tuple[Made, QualityReport]], *, steps: int = 6
+) -> tuple[float, Made, QualityReport]:
+    """The greatest amount in [0, 1] whose report is clean, as near as halving finds it.
+
+    Args:
+        attempt: amount to what it makes and its report.
+        steps: halvings; six find the amount to 1/64.
+
+    Returns:
+        The amount, what it makes and its report, which is not clean only if even amount 0 is not.
+    """
+    best = (1.0, *attempt(1.0))
     if best[2].clean:
         return best
-    best = attempt(0.0)
+    best = (0.0, *attempt(0.0))
     if not best[2].clean:
         return best
     high = 1.0
     for _ in range(steps):
-        tried = attempt((best[0] + high) / 2.0)
+        middle = (best[0] + high) / 2.0
+        tried = (middle, *attempt(middle))
         if tried[2].clean:
             best = tried
         else:
-            high = tried[0]
+            high = middle
     return best

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from motion.clip import Clip
 from motion.editing.foot_repair import repair_feet
+from motion.editing.limbs import is_locomoting
 from motion.quality.pair import matched
 from motion.recipe.operation import Context, operation
 
@@ -17,6 +18,14 @@ def standing_again(before: Clip, edited: Clip) -> Clip:
     """The edited clip with feet that stand where they stood; as it is where no legs are known."""
     known = all(role in before.skeleton.roles for role in LEGS)
     return repair_feet(before, edited) if known and edited is not before else edited
+
+
+def standing_in_place(before: Clip, edited: Clip) -> Clip:
+    """As ``standing_again``, but only if the body stays in its place.
+
+    Legs that walk are left out of timing, or walk to their own; only where they stand is known.
+    """
+    return edited if is_locomoting(before) else standing_again(before, edited)
 
 
 def moves_feet(roles: Iterable[str]) -> bool:

@@ -20,7 +20,7 @@ from motion.editing.path_length import (
     change_path_length,
 )
 from motion.editing.variation import vary
-from motion.recipe.feet import LEGS, standing_again
+from motion.recipe.feet import LEGS, standing_again, standing_in_place
 from motion.recipe.operation import Context, operation
 from motion.recipe.parameters import Choice, Group, ListOf, Number
 
@@ -50,7 +50,8 @@ class Equaliser:
 def _grid(clip: Clip, _: Context, *, path: float, timing: float) -> Clip:
     if path == timing == 1.0:
         return clip
-    return cached_nine_motions(clip).at(path, timing)
+    edited = cached_nine_motions(clip).at(path, timing)
+    return edited if timing == 1.0 else standing_in_place(clip, edited)
 
 
 def _path_length(clip: Clip, _: Context, *, representation: str, **settings: float) -> Clip:

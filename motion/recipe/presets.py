@@ -55,9 +55,9 @@ def _grid(path: float = 1.0, timing: float = 1.0) -> dict[str, Value]:
     return {"operation": "grid@1", "parameters": {"path": path, "timing": timing}}
 
 
-def _posture(pose: str, amount: float = 1.0) -> dict[str, Value]:
-    offset: Value = {"pose": pose, "amount": amount}
-    return {"operation": "posture@1", "parameters": {"offsets": [offset]}}
+def _posture(**amounts: float) -> dict[str, Value]:
+    offsets: Value = [{"pose": pose, "amount": amount} for pose, amount in amounts.items()]
+    return {"operation": "posture@1", "parameters": {"offsets": offsets}}
 
 
 def _step(key: str, **parameters: Value) -> dict[str, Value]:
@@ -69,8 +69,8 @@ def _preset(name: str, summary: str, pole: str, *steps: dict[str, Value]) -> Pre
     return Preset(name, title, summary, pole, _AXES[pole], pole, Recipe.parse(list(steps)))
 
 
-_CLOSER = "hands_and_feet_closer"
-_APART = "hands_away_and_feet_apart"
+# The opposite of elbows away brings hands closer where narrow steps leave the feet little room.
+_A_LITTLE_CLOSER = _posture(hands_and_feet_closer=0.2, elbows_away=-0.2)
 
 PRESETS: Mapping[str, Preset] = {
     preset.name: preset
@@ -80,96 +80,98 @@ PRESETS: Mapping[str, Preset] = {
             "Shorter motion paths, hands a little closer to the body and feet to each other.",
             "afraid",
             _grid(path=0.4),
-            _posture(_CLOSER),
+            _A_LITTLE_CLOSER,
         ),
         _preset(
             "angry",
             "Longer motion paths and increased acceleration.",
             "angry",
-            _grid(path=1.6, timing=2.0),
+            _grid(path=1.6),
+            _step("timing@1", kind="added", amount=0.4),
         ),
         _preset(
             "energetic_sadness",
             "Longer motion paths and the head looking down.",
             "sad",
             _grid(path=1.6),
-            _posture("head_down"),
+            _posture(head_down=1.0),
         ),
         _preset(
             "excited",
             "Longer motion paths and a little more acceleration.",
             "excited",
-            _grid(path=1.8, timing=1.4),
+            _grid(path=1.8),
+            _step("timing@1", kind="added", amount=0.2),
         ),
         _preset(
             "feminine",
             "Hands closer to the body and feet closer to each other.",
             "feminine",
-            _posture(_CLOSER),
+            _posture(hands_and_feet_closer=0.3, elbows_away=-0.2),
         ),
         _preset("happy", "No modification.", "happy"),
         _preset(
             "masculine",
             "Hands farther from the body and feet a little more apart.",
             "masculine",
-            _posture(_APART),
+            _posture(hands_away_and_feet_apart=0.6),
         ),
-        _preset("relaxed", "Reduced acceleration.", "relaxed", _grid(timing=0.0)),
+        _preset("relaxed", "Reduced acceleration.", "relaxed", _grid(timing=0.5)),
         _preset(
             "sad",
             "Shorter motion paths and the head looking down.",
             "sad",
             _grid(path=0.4),
-            _posture("head_down"),
+            _posture(head_down=1.0),
         ),
         _preset(
             "strong",
             "Longer motion paths and elbows away from the body.",
             "strong",
             _grid(path=1.6),
-            _posture("elbows_away"),
+            _posture(elbows_away=1.0),
         ),
         _preset(
             "tired",
             "Very short motion paths and the head looking a little down.",
             "tired",
             _grid(path=0.0),
-            _posture("head_a_little_down"),
+            _posture(head_a_little_down=1.0),
         ),
         _preset(
             "weak",
             "Very short motion paths, hands a little closer to the body, feet to each other.",
             "weak",
             _grid(path=0.0),
-            _posture(_CLOSER),
+            _A_LITTLE_CLOSER,
         ),
         _preset(
             "angry_at_contacts",
             "Acceleration at contacts only, longer motion paths, a slightly sad posture.",
             "angry",
             _grid(path=1.6),
-            _posture("head_a_little_down"),
-            _step("contacts@1", amount=1.0),
+            _posture(head_a_little_down=1.0),
+            _step("contacts@1", amount=0.3),
         ),
         _preset(
             "excited_faster",
             "Shorter motion paths in faster time.",
             "excited",
             _grid(path=0.6),
-            _step("tempo@1", factor=1.3),
+            _step("tempo@1", factor=1.4),
         ),
         _preset(
             "relaxed_slower",
             "Longer motion paths in slower time.",
             "relaxed",
+            _step("tempo@1", factor=0.75),
             _grid(path=1.5),
-            _step("tempo@1", factor=0.8),
         ),
         _preset(
             "nervous",
             "Path length and rhythm change at random during the motion.",
             "afraid",
-            _step("vary@1", path=0.7, rhythm=0.4, seed=1),
+            _step("vary@1", path=0.8, rhythm=0.5, seed=1),
         ),
     )
 }

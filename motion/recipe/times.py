@@ -11,7 +11,7 @@ from motion.editing.limbs import LIMBS
 from motion.editing.tempo import change_tempo, cut, resample_rate
 from motion.editing.timing import ADDED, EVEN, Timing, change_timing
 from motion.editing.warping import warp_time
-from motion.recipe.feet import LEGS
+from motion.recipe.feet import LEGS, standing_in_place
 from motion.recipe.operation import Context, bounded, operation
 from motion.recipe.parameters import Choice, Group, ListOf, Number
 
@@ -28,7 +28,9 @@ def _timing(
     segment: float | None,
 ) -> Clip:
     chosen = None if limbs is None else tuple(dict.fromkeys(limbs))
-    return change_timing(clip, Timing(kind, chosen, segment, amount))
+    edited = change_timing(clip, Timing(kind, chosen, segment, amount))
+    legs = chosen is None or any(limb.endswith("leg") for limb in chosen)
+    return standing_in_place(clip, edited) if legs else edited
 
 
 def _contacts(clip: Clip, _: Context, *, amount: float) -> Clip:
