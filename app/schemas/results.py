@@ -73,6 +73,8 @@ class PoleRow(Result):
     Attributes:
         mean, others: means toward the pole, of the best clip and of its comparison group.
         p_holm: Welch's p adjusted over all the poles.
+        p_permuted: of a permutation test that repeats the choice of the best clip; p_permuted_holm:
+            adjusted over all the poles.
         paired_t: over participants' means, the best clip less the mean of the group.
     """
 
@@ -86,6 +88,8 @@ class PoleRow(Result):
     df: float | None
     p: float | None
     p_holm: float | None
+    p_permuted: float | None
+    p_permuted_holm: float | None
     d: float | None
     d_low: float | None
     d_high: float | None

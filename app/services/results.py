@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import datetime, timedelta
+from functools import lru_cache
 from statistics import median
 
 import numpy as np
@@ -20,7 +21,7 @@ from app.schemas.study import Scale, StudyDefinition
 from app.services import sentences
 from app.services.studies import definition_of, find
 from app.statistics.intervals import Samples, mean_interval, present
-from app.statistics.poles import Against, BestClip, best_clip
+from app.statistics.poles import Against, BestClip, best_clip, chance_of_best
 from app.statistics.tests import holm
 
 NEEDED = 5
@@ -154,12 +155,34 @@ def _poles(
     ]
     found = [best_clip(toward, bodies, against) if enough else None for *_, toward in asked]
     adjusted = holm([best.welch.p if best and best.welch else None for best in found])
+    permuted = [
+        _chance(toward.tobytes(), toward.shape, tuple(bodies), against, definition.content_hash)
+        if best
+        else None
+        for (*_, toward), best in zip(asked, found, strict=True)
+    ]
+    rows = zip(asked, found, adjusted, permuted, holm(permuted), strict=True)
     return [
-        _pole_row(scale, pole, more, clips[best.clip], best, p_holm, against)
+        _pole_row(scale, pole, more, clips[best.clip], best, p_holm, against).model_copy(
+            update={"p_permuted": chance, "p_permuted_holm": chance_holm}
+        )
         if best
         else _empty_row(scale, pole)
-        for (scale, pole, more, _), best, p_holm in zip(asked, found, adjusted, strict=True)
+        for (scale, pole, more, _), best, p_holm, chance, chance_holm in rows
     ]
+
+
+@lru_cache(maxsize=256)
+def _chance(
+    toward: bytes, shape: tuple[int, int], bodies: tuple[str, ...], against: Against, study: str
+) -> float | None:
+    """The permutation test, drawn from the study's hash: the same answers give the same p.
+
+    Remembered, for a page that is open asks for the same numbers again and again.
+    """
+    generator = np.random.default_rng(int(study[:16], 16))
+    ratings = np.frombuffer(toward).reshape(shape)
+    return chance_of_best(ratings, bodies, generator, against)
 
 
 def _pole_row(

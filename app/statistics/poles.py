@@ -62,6 +62,64 @@ def best_clip(
     )
 
 
+def chance_of_best(
+    toward: Samples,
+    bodies: Sequence[str],
+    generator: np.random.Generator,
+    against: Against = "others",
+    draws: int = 1999,
+) -> float | None:
+    """Permutation test that repeats the choice of the best clip.
+
+    A clip that was chosen for its mean would stand out even if all clips were seen alike. Here
+    each participant's answers change places at random among the clips of a body, the best clip is
+    chosen anew, and its distance from its body's other clips is compared with the observed one.
+
+    Args:
+        toward: as for ``best_clip``, like the next two.
+        bodies: which body each clip shows.
+        against: which clips the best one is compared with.
+        generator: of the random places.
+        draws: how often.
+
+    Returns:
+        p, one-sided and at least 1 / (draws + 1) (Phipson and Smyth 2010); None where there is
+        nothing to compare.
+    """
+    observed = _best_differences(toward[None], bodies, against)[0]
+    if np.isnan(observed):
+        return None
+    reached = 0
+    for start in range(0, draws, _AT_ONCE):
+        shape = (min(_AT_ONCE, draws - start), *toward.shape)
+        shuffled = np.broadcast_to(toward, shape).copy()
+        for body in dict.fromkeys(bodies):
+            own = [index for index, other in enumerate(bodies) if other == body]
+            shuffled[..., own] = generator.permuted(shuffled[..., own], axis=-1)
+        differences = _best_differences(shuffled, bodies, against)
+        # Sums of other orders differ in the last digit: a tie counts as reached.
+        reached += int(np.sum(differences >= observed - 1e-9))
+    return (reached + 1) / (draws + 1)
+
+
+_AT_ONCE = 100  # draws in memory together
+
+
+def _best_differences(toward: Samples, bodies: Sequence[str], against: Against) -> Samples:
+    """(draws,) mean of the best clip less that of its comparison group, of (draws, people, clips).
+
+    NaN where there is no answer or nothing to compare with.
+    """
+    sums, counts = np.nansum(toward, axis=1), np.sum(~np.isnan(toward), axis=1)
+    with np.errstate(invalid="ignore"):
+        means = sums / counts
+    best = np.argmax(np.where(counts > 0, means, -np.inf), axis=1)
+    rest = np.array([_comparison(clip, bodies, against) for clip in range(len(bodies))])[best]
+    with np.errstate(invalid="ignore"):
+        others = np.sum(sums * rest, axis=1) / np.sum(counts * rest, axis=1)
+    return np.asarray(means[np.arange(len(best)), best] - others)
+
+
 def _comparison(best: int, bodies: Sequence[str], against: Against) -> NDArray[np.bool_]:
     """Which clips the best one is compared with, as a mask (clips,)."""
     same = np.array([body == bodies[best] for body in bodies])

@@ -99,6 +99,35 @@ def test_every_row_of_is_every_emotion_seen_follows_from_the_csv(db, database, s
     assert [found.poles[i].p_holm for i in order] == pytest.approx(list(holm))
 
 
+def test_a_permuted_p_follows_from_the_csv_within_what_chance_allows(db, database, study):
+    rows, found = analysed_rows(database), results.results(db, emotion.SLUG)
+    row = found.poles[0]
+    people = sorted({r["session"] for r in rows})
+    answers = np.array(
+        [[-values(rows, row.scale, stimulus=clip.name, session=one)[0] for clip in found.clips]
+         for one in people]
+    )  # fmt: skip
+    bodies = np.array([clip.body for clip in found.clips])
+
+    def distance(table):
+        means = table.mean(axis=0)
+        same = bodies == bodies[means.argmax()]
+        same[means.argmax()] = False
+        return means.max() - means[same].mean()
+
+    generator, reached = np.random.default_rng(99), 1
+    for _ in range(300):
+        table = answers.copy()
+        for person in table:
+            for body in ("female", "male"):
+                person[bodies == body] = generator.permutation(person[bodies == body])
+        reached += distance(table) >= distance(answers) - 1e-9
+    expected = reached / 301
+    spread = 4 * math.sqrt(max(expected * (1 - expected), 0.01) / 300)
+    assert row.p_permuted == pytest.approx(expected, abs=spread)
+    assert all(other.p_permuted <= other.p_permuted_holm <= 1 for other in found.poles)
+
+
 def check_effect(row, x, y):
     student = stats.ttest_ind(x, y)
     scale = math.sqrt(1 / len(x) + 1 / len(y))
