@@ -76,6 +76,11 @@ def contents(db: Session, ids: Iterable[str]) -> dict[str, bytes]:
     return dict(db.execute(query.where(ClipRecord.id.in_(wanted))).tuples().all())
 
 
+def present(db: Session, ids: Iterable[str]) -> set[str]:
+    """Those of the ids under which there is a clip."""
+    return set(db.scalars(select(ClipRecord.id).where(ClipRecord.id.in_(list(ids)))))
+
+
 def made_from(db: Session, clip_id: str) -> int:
     """How many clips were made from this one, as their source or as an example in a recipe."""
     uses = or_(ClipRecord.recipe_source == clip_id, cast(ClipRecord.recipe, Text).contains(clip_id))

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError
-from app.persistence import blobs, clips, poses
+from app.persistence import clips, poses
 from app.persistence.engine import Database
 from app.persistence.models import ClipRecord
 from app.persistence.writer import Writer
@@ -87,16 +87,16 @@ def create(
     """
     recipe = read_recipe(request)
     with database.reading() as db:
-        source = _source(db, request.source)
+        source = source_clip(db, request.source)
         known = clips.by_id(db, edited_id(source.id, recipe))
         if known is not None:
             return library.described(db, known), False
         work = _work(db, source, recipe)
-    name = request.name or _name(work.source, request, recipe)
+    name = request.name or name_for(work.source, request, recipe)
     files = _rendered(workers, work)
 
     def keep(db: Session) -> tuple[ClipDetail, bool]:
-        _source(db, work.source.id)  # it may have been deleted meanwhile
+        source_clip(db, work.source.id)  # it may have been deleted meanwhile
         made = _record(db, files, work.source, recipe, name, request.tags)
         is_new = clips.add(db, made)
         return library.detail(db, made.id, signed_in=True), is_new
@@ -200,6 +200,29 @@ def edited_id(source_id: str, recipe: Recipe) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
+def source_clip(db: Session, clip_id: str) -> ClipRecord:
+    """A clip to be edited; one that may still be read differently is none.
+
+    Raises:
+        ConflictError: it waits to be confirmed.
+        NotFoundError: there is no such clip.
+    """
+    clip = library.find(db, clip_id, signed_in=True)
+    if clip.state == "to_confirm":
+        raise ConflictError(
+            f"The clip {clip.name} waits to be confirmed.",
+            code="clip_to_confirm",
+            mend="Look through its import report in the library and keep it.",
+        )
+    return clip
+
+
+def name_for(source: ClipRecord, request: ClipRequest, recipe: Recipe) -> str:
+    """What an edited clip is called unless somebody names it."""
+    ending = request.preset or f"edited_{recipe.hash[:6]}"
+    return f"{source.name[:150]}_{ending}"
+
+
 def _rendered(workers: Workers, work: Work) -> ClipFiles:
     from app.services import rendering
 
@@ -209,7 +232,7 @@ def _rendered(workers: Workers, work: Work) -> ClipFiles:
 def _read_work(database: Database, edit: Edit) -> Work:
     recipe = read_recipe(edit)
     with database.reading() as db:
-        return _work(db, _source(db, edit.source), recipe)
+        return _work(db, source_clip(db, edit.source), recipe)
 
 
 def _kept_work(db: Session, clip_id: str) -> Work:
@@ -224,23 +247,8 @@ def _kept_work(db: Session, clip_id: str) -> Work:
     return _work(db, library.find(db, clip.recipe_source, signed_in=True), recipe)
 
 
-def _source(db: Session, clip_id: str) -> ClipRecord:
-    """A clip to be edited; one that may still be read differently is none."""
-    clip = library.find(db, clip_id, signed_in=True)
-    if clip.state == "to_confirm":
-        raise ConflictError(
-            f"The clip {clip.name} waits to be confirmed.",
-            code="clip_to_confirm",
-            mend="Look through its import report in the library and keep it.",
-        )
-    return clip
-
-
 def _work(db: Session, source: ClipRecord, recipe: Recipe) -> Work:
-    content = blobs.content(db, source.clip_blob)
-    if content is None:
-        raise InvalidError(f"The file of the clip {source.name} is missing from the database.")
-    return Work(recipe, source, content, materials(db, recipe))
+    return Work(recipe, source, library.content(db, source), materials(db, recipe))
 
 
 def _record(
@@ -257,8 +265,3 @@ def _record(
     made.recipe_source = source.id
     made.recipe_hash = recipe.hash
     return made
-
-
-def _name(source: ClipRecord, request: ClipRequest, recipe: Recipe) -> str:
-    ending = request.preset or f"edited_{recipe.hash[:6]}"
-    return f"{source.name[:150]}_{ending}"
