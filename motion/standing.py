@@ -7,6 +7,7 @@ the identity for whoever stands.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from motion.figure.reference import Reference
 from motion.rotations import conjugate, from_matrix, multiply, to_matrix
 
 Array = NDArray[np.float64]
+Joints = int | slice | NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,23 +34,33 @@ class Standing:
 
     @classmethod
     def of(cls, clip: Clip) -> Standing:
-        """The stance of a clip's skeleton, its joints' axes known from the clip."""
-        rotations = standing_rotations(clip)
-        root = np.array([[1.0, 0.0, 0.0, 0.0]])
-        return cls(rotations, np.concatenate([root, rotations[clip.skeleton.parents[1:]]]))
+        """The stance of a clip's skeleton, its joints' axes known from the clip.
+
+        It is remembered for as long as the clip is.
+        """
+        known = _KNOWN.get(clip)
+        if known is None:
+            rotations = standing_rotations(clip)
+            root = np.array([[1.0, 0.0, 0.0, 0.0]])
+            above = np.concatenate([root, rotations[clip.skeleton.parents[1:]]])
+            known = _KNOWN[clip] = cls(rotations, above)
+        return known
 
     @property
     def local(self) -> Array:
         """(J, 4) the stance as local rotations."""
         return multiply(conjugate(self.above), self.rotations)
 
-    def canonical(self, local: Array, joint: int | slice = slice(None)) -> Array:
-        """Local rotations (T, 4) of one joint, or (T, J, 4) of all, seen from standing."""
+    def canonical(self, local: Array, joint: Joints = slice(None)) -> Array:
+        """Local rotations (T, 4) of one joint, or (T, K, 4) of several or all, from standing."""
         return multiply(multiply(self.above[joint], local), conjugate(self.rotations[joint]))
 
-    def from_canonical(self, canonical: Array, joint: int | slice = slice(None)) -> Array:
+    def from_canonical(self, canonical: Array, joint: Joints = slice(None)) -> Array:
         """The local rotations of rotations seen from standing."""
         return multiply(multiply(conjugate(self.above[joint]), canonical), self.rotations[joint])
+
+
+_KNOWN: WeakKeyDictionary[Clip, Standing] = WeakKeyDictionary()
 
 
 def standing_rotations(clip: Clip) -> Array:

@@ -19,6 +19,7 @@ from motion.rotations import conjugate, from_directions, rotate, to_directions
 from motion.standing import Standing
 
 Array = NDArray[np.float64]
+Joints = NDArray[np.intp]
 
 FADE_FROM, FADE_TO = 0.5, 0.9  # of a limb's length: how far its end strays until the offset is gone
 Pose = Mapping[str, Array]  # body role to local rotation (4,) in canonical axes
@@ -51,7 +52,9 @@ def capture_pose(clip: Clip, frame: int) -> Pose:
     return {role: canonical[joint] for role, joint in clip.skeleton.roles.items()}
 
 
-def add_posture(clip: Clip, offsets: Sequence[tuple[PostureOffset, float]]) -> Clip:
+def add_posture(
+    clip: Clip, offsets: Sequence[tuple[PostureOffset, float]], standing: Standing | None = None
+) -> Clip:
     """The clip with each offset added, times its amount.
 
     Offsets add before the vectors are made orthonormal again, so their order does not matter.
@@ -60,19 +63,18 @@ def add_posture(clip: Clip, offsets: Sequence[tuple[PostureOffset, float]]) -> C
     Args:
         clip: a clip whose skeleton has body roles.
         offsets: pairs of offset and amount; 0 changes nothing, 1 is as captured.
+        standing: of the motion before other edits, where it is known; None finds it in the clip.
     """
-    total = _sum(offsets)
+    roles = clip.skeleton.roles
+    total = {roles[role]: way for role, way in _sum(offsets).items() if role in roles}
     if not total:
         return clip
-    standing = Standing.of(clip)
+    standing = standing or Standing.of(clip)
+    joints = np.array(list(total))
+    shares = _fades(clip, standing, joints)[..., None] * np.array(list(total.values()))
+    moved = to_directions(standing.canonical(clip.rotations[:, joints], joints)) + shares
     rotations = clip.rotations.copy()
-    canonical = standing.canonical(clip.rotations)
-    fade = _fades(clip, standing)
-    for role, offset in total.items():
-        joint = clip.skeleton.roles.get(role)
-        if joint is not None:
-            moved = to_directions(canonical[:, joint]) + fade[joint][:, None] * offset
-            rotations[:, joint] = standing.from_canonical(from_directions(moved), joint)
+    rotations[:, joints] = standing.from_canonical(from_directions(moved), joints)
     return replace(clip, rotations=rotations)
 
 
@@ -85,28 +87,38 @@ def _sum(offsets: Sequence[tuple[PostureOffset, float]]) -> dict[str, Array]:
     return total
 
 
-def _fades(clip: Clip, standing: Standing) -> Array:
-    """(J, T) share of an offset that each joint takes in each frame."""
-    pose = forward_kinematics(clip)
+def _fades(clip: Clip, standing: Standing, joints: Joints) -> Array:
+    """(T, K) share of an offset that each of K joints takes in each frame.
+
+    It falls as the end of the joint's limb leaves where it hangs, seen from the hips.
+    """
+    fades = np.ones((clip.frames, len(joints)))
+    limbs = [
+        (limb, np.isin(joints, limb.joints))
+        for limb in find_limbs(clip.skeleton).values()
+        if limb.name != "head" and not set(limb.joints).isdisjoint(joints.tolist())
+    ]
+    if not limbs:
+        return fades
+    ends = [limb.end for limb, _ in limbs]
     upright = pose_to_world(clip.skeleton, np.zeros((1, 3)), standing.local[None])
-    fades = np.ones((len(clip.skeleton), clip.frames))
-    for limb in find_limbs(clip.skeleton).values():
-        if limb.name != "head":
-            fades[list(limb.joints)] = _fade(clip, pose, upright, limb)
+    strayed = _seen_from_hips(clip, forward_kinematics(clip), ends)
+    strayed = np.linalg.norm(strayed - _seen_from_hips(clip, upright, ends), axis=-1)
+    for (limb, inside), way in zip(limbs, strayed.T, strict=True):
+        share = way / max(_length(clip, limb), 1e-9)
+        fade = np.clip((FADE_TO - share) / (FADE_TO - FADE_FROM), 0.0, 1.0)
+        fades[:, inside] = fade[:, None]
     return fades
 
 
-def _fade(clip: Clip, pose: WorldPose, upright: WorldPose, limb: Limb) -> Array:
-    """Share (T,) that falls as the limb's end leaves where it hangs, seen from the hips."""
+def _length(clip: Clip, limb: Limb) -> float:
+    """Metres from a limb's root to its end, along the bones."""
     bones = clip.skeleton.offsets[[j for j in limb.joints if limb.root < j <= limb.end]]
-    length = float(np.linalg.norm(bones, axis=1).sum())
-    strayed = _seen_from_hips(clip, pose, limb) - _seen_from_hips(clip, upright, limb)
-    share = np.linalg.norm(strayed, axis=1) / max(length, 1e-9)
-    return np.clip((FADE_TO - share) / (FADE_TO - FADE_FROM), 0.0, 1.0)
+    return float(np.linalg.norm(bones, axis=1).sum())
 
 
-def _seen_from_hips(clip: Clip, pose: WorldPose, limb: Limb) -> Array:
-    """Positions (T, 3) of a limb's end in the hips' own frame, metres."""
+def _seen_from_hips(clip: Clip, pose: WorldPose, joints: list[int]) -> Array:
+    """Positions (T, K, 3) of joints in the hips' own frame, metres."""
     hips = clip.skeleton.roles.get("hips", 0)
-    way = pose.positions[:, limb.end] - pose.positions[:, hips]
-    return rotate(conjugate(pose.rotations[:, hips]), way)
+    way = pose.positions[:, joints] - pose.positions[:, [hips]]
+    return rotate(conjugate(pose.rotations[:, [hips]]), way)
