@@ -50,6 +50,7 @@ export const api = {
     send<T>("DELETE", path, undefined, options),
   upload,
   bytes,
+  bytesFor,
   page,
 };
 
@@ -80,6 +81,17 @@ async function bytes(
   const response = await reach(path, signal ? { signal } : {});
   if (!response.ok) throw errorFrom(response.status, await response.text());
   return onShare && response.body ? metered(response, onShare) : response.arrayBuffer();
+}
+
+/** Send a question whose answer is bytes, such as a recipe whose motion is wanted. */
+async function bytesFor(path: string, body: unknown): Promise<ArrayBuffer> {
+  const response = await reach(path, {
+    method: "POST",
+    headers: headers("POST", { "Content-Type": "application/json", Accept: "*/*" }),
+    body: JSON.stringify(body),
+  });
+  if (!response.ok) throw errorFrom(response.status, await response.text());
+  return response.arrayBuffer();
 }
 
 async function metered(response: Response, onShare: (share: number) => void): Promise<ArrayBuffer> {

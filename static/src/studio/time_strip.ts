@@ -1,6 +1,6 @@
 // <time-strip>: when things happen in a motion. Transport, ruler, foot contacts, marks of the checks.
 //
-// With `viewer` it shows and drives that viewer. Without one, `duration`, `frames` and `time` are set
+// It brings play, replay, speed and loop: with `viewer` it shows and drives that viewer by itself. Without one, `duration`, `frames` and `time` are set
 // from outside. `contacts` and `findings` always are; `findings` null = not known yet.
 // Events: `seek` {time}, `finding` {finding}, `loop` {loop}. The page loads styles/time-strip.css.
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";

@@ -1,0 +1,5 @@
+import "../styles/library.css";
+import "../styles/studio.css";
+import "../styles/time-strip.css";
+import "../viewer";
+import "../studio/motion_studio";

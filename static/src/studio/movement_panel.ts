@@ -1,0 +1,122 @@
+// The left panel: how it moves. Preset, posture, path and timing, frequency bands, and all else.
+import { html, nothing, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import { icon } from "../icons";
+import { USUAL_BANDS, type BandChange } from "./equaliser";
+import { inWords, startingParameters } from "./form_model";
+import { inReach } from "./pad_model";
+import {
+  allBands, bandsOf, BANDS, extrasOf, GRID, gridOf, insert, NEUTRAL_POINT, POSTURE, postureOf, put, replaceAt,
+  withBands, withGrid, withPosture, type GridPoint,
+} from "./recipe";
+import { schemaForm } from "./schema_form";
+import type { Operation, Pose, Preset } from "./server";
+import type { Session } from "./session";
+import { amountSlider, resetButton } from "./slider";
+import "./equaliser";
+import "./pad";
+
+export interface Offers {
+  presets: Preset[];
+  operations: Operation[];
+  poses: Pose[];
+}
+
+export interface MovementActs {
+  capture(): void;
+}
+
+/** The rows of the thesis's table come first; the rest are what it proposes beyond. */
+const ROWS = 12;
+const SHORT: Record<string, string> = {
+  hands_and_feet_closer: "hands, feet closer",
+  hands_away_and_feet_apart: "hands, feet apart",
+  elbows_away: "elbows out",
+};
+
+export function movementPanel(session: Session, offers: Offers, acts: MovementActs): TemplateResult {
+  return html`${presets(session, offers.presets)} ${postures(session, offers.poses, acts)} ${pathAndTiming(session)}
+    ${bands(session)} ${more(session, offers.operations)}`;
+}
+
+function presets(session: Session, all: Preset[]): TemplateResult {
+  const choose = ({ name, operations }: Preset) => {
+    const off = session.preset === name;
+    session.change(off ? [] : operations, `preset ${name}`, off ? null : name);
+  };
+  const chip = (preset: Preset) => html`<button class="chip" type="button" title=${preset.summary}
+    aria-pressed=${session.preset === preset.name} @click=${() => choose(preset)}>${inWords(preset.name)}</button>`;
+  return html`<section><header><h2>Preset</h2><span class="tiny">a starting point</span></header>
+    <div class="chips" role="group" aria-label="Presets">${all.slice(0, ROWS).map(chip)}</div>
+    ${all.length > ROWS
+      ? html`<h3 class="label">His proposals</h3><div class="chips" role="group" aria-label="Proposed presets">${all.slice(ROWS).map(chip)}</div>`
+      : nothing}</section>`;
+}
+
+function postures(session: Session, poses: Pose[], { capture }: MovementActs): TemplateResult {
+  const amounts = postureOf(session.steps);
+  const known = poses.filter(({ id }) => id !== "neutral");
+  const unknown = [...amounts.keys()].filter((id) => known.every((pose) => pose.id !== id));
+  const all = [...known, ...unknown.map((id) => ({ id, name: id.slice(0, 8) }))];
+  return html`<section><header><h2>Posture</h2>
+      ${resetButton("all postures", amounts.size > 0, () => session.change(put(session.steps, POSTURE, null), "postures"))}</header>
+    ${all.map(({ id, name }) => {
+      const value = amounts.get(id) ?? 0;
+      return amountSlider(
+        { label: SHORT[id] ?? inWords(name), value, min: value < -1 ? -2 : -1, max: 2, step: 0.01, neutral: 0 },
+        (amount) => session.change(withPosture(session.steps, id, amount), `posture ${id}`),
+      );
+    })}
+    <button class="link-button" type="button" @click=${capture}>${icon("plus")}Capture pose from this frame</button></section>`;
+}
+
+function pathAndTiming(session: Session): TemplateResult {
+  const point = gridOf(session.steps);
+  const set = (next: GridPoint) => session.change(withGrid(session.steps, inReach(next)), "path and timing");
+  const field = (axis: keyof GridPoint, label: string) => html`<input class="bare" type="number" min="0" max="2" step="0.05" aria-label=${label}
+    .value=${live(point[axis].toFixed(2))} @change=${(event: Event) => {
+      const { valueAsNumber } = event.target as HTMLInputElement;
+      if (Number.isFinite(valueAsNumber)) set({ ...point, [axis]: valueAsNumber });
+    }}>`;
+  return html`<section><header><h2>Path and timing</h2>
+      <span class="point">${field("path", "Path length")}<span aria-hidden="true">·</span>${field("timing", "Timing")}</span>
+      ${resetButton("path and timing", session.steps.some(({ operation }) => operation === GRID), () => set(NEUTRAL_POINT))}</header>
+    <div class="pad-frame">
+      <div class="pad-side" aria-hidden="true"><span>pauses</span><span>even</span></div>
+      <path-pad .point=${point} @point=${({ detail }: CustomEvent<GridPoint>) => set(detail)}></path-pad>
+      <div class="pad-foot" aria-hidden="true"><span>shorter</span><span>path</span><span>longer</span></div>
+    </div></section>`;
+}
+
+function bands(session: Session): TemplateResult {
+  const all = allBands(session.steps, USUAL_BANDS);
+  const set = ({ detail }: CustomEvent<BandChange>) => {
+    const next = all.map((band) => (band.frequency === detail.frequency ? detail : band));
+    session.change(withBands(session.steps, next), `band ${detail.frequency}`);
+  };
+  const changed = bandsOf(session.steps).length > 0;
+  return html`<details ?open=${changed}><summary><h2>Frequency bands</h2><span class="tiny">gain, by Hz</span></summary>
+    <band-equaliser .bands=${all} @band=${set}></band-equaliser>
+    <div class="end">${resetButton("all bands", changed, () => session.change(put(session.steps, BANDS, null), "bands"))}</div></details>`;
+}
+
+function more(session: Session, operations: Operation[]): TemplateResult {
+  const extras = extrasOf(session.steps);
+  const offered = operations.filter(({ name }) => ![GRID, POSTURE, BANDS].includes(name));
+  const add = ({ name, parameters }: Operation) =>
+    session.change(insert(session.steps, { operation: name, parameters: startingParameters(parameters) }), `add ${name}`);
+  return html`<details ?open=${extras.length > 0}><summary><h2>More</h2><span class="tiny">tempo, limbs, contacts …</span></summary>
+    ${extras.map(({ step, place }) => {
+      const known = operations.find(({ name }) => name === step.operation);
+      const title = known?.title ?? step.operation;
+      const set = (parameters: typeof step.parameters, name: string) =>
+        session.change(replaceAt(session.steps, place, { ...step, parameters }), `${step.operation} ${place} ${name}`);
+      const remove = () => session.change(replaceAt(session.steps, place, null), `remove ${place}`);
+      return html`<fieldset class="extra"><legend>${title}</legend>
+        <button class="link-button remove" type="button" aria-label="Take out ${title}" @click=${remove}>Take out</button>
+        ${known ? schemaForm(known.parameters, step.parameters, set) : html`<p class="hint">This server does not know ${step.operation}.</p>`}</fieldset>`;
+    })}
+    <div class="chips" role="group" aria-label="Add">${offered.map(
+      (operation) => html`<button class="chip" type="button" title=${operation.summary} @click=${() => add(operation)}>${icon("plus")}${operation.title}</button>`,
+    )}</div></details>`;
+}

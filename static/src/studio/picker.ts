@@ -1,0 +1,61 @@
+// <clip-picker>: a dialog with every motion, found by its words.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import { icon } from "../icons";
+import { caption, filtersOf, find } from "../library/model";
+import type { Clip } from "./server";
+
+@customElement("clip-picker")
+export class ClipPicker extends LitElement {
+  @property({ attribute: false }) clips: Clip[] = [];
+  @state() private query = "";
+  @state() private family = "";
+  @state() private open = false;
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  show(): void {
+    this.open = true;
+    void this.updateComplete.then(() => {
+      this.dialog?.showModal();
+      this.querySelector<HTMLInputElement>("input[type=search]")?.focus();
+    });
+  }
+
+  private get dialog(): HTMLDialogElement | null {
+    return this.querySelector("dialog");
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    if (!this.open) return nothing;
+    const usable = this.clips.filter(({ figure_url, state }) => figure_url && state !== "retired");
+    const found = find(usable, this.family, this.query);
+    const search = (event: InputEvent) => (this.query = (event.target as HTMLInputElement).value);
+    return html`<dialog class="picker" aria-label="Choose a clip" @close=${() => (this.open = false)}>
+      <header><h2 class="figure-title">Choose a clip</h2>
+        <button class="button quiet icon-button" type="button" aria-label="Close" @click=${() => this.dialog?.close()}>${icon("close")}</button></header>
+      <div class="library-filters"><label class="search">${icon("search")}<span class="visually-hidden">Search</span>
+          <input class="input" type="search" placeholder="Name, style or tag" .value=${this.query} @input=${search}></label>
+        <div class="chips" role="group" aria-label="Show">${filtersOf(usable).map(
+          ({ id, label, count }) => html`<button class="chip" type="button" aria-pressed=${id === this.family} @click=${() => (this.family = id)}>
+            ${label} <span class="count">${count}</span></button>`,
+        )}</div></div>
+      <div class="picker-clips">${found.length
+        ? html`<ul class="clip-grid">${repeat(found, ({ id }) => id, (clip) => this.card(clip))}</ul>`
+        : html`<p class="quiet" role="status">${usable.length ? "No motion matches." : "The motions are on their way."}</p>`}</div>
+    </dialog>`;
+  }
+
+  private card(clip: Clip): TemplateResult {
+    const pick = () => {
+      this.dialog?.close();
+      this.dispatchEvent(new CustomEvent<string>("pick", { detail: clip.id }));
+    };
+    return html`<li><button class="clip-card" type="button" @click=${pick}>
+      <span class="clip-stage"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail></span>
+      <span class="clip-name">${clip.name}</span><span class="tiny">${caption(clip)}</span></button></li>`;
+  }
+}

@@ -1,0 +1,83 @@
+// The right panel: what the checks say, the variants of this clip, and ways to take one along.
+import { html, nothing, type TemplateResult } from "lit";
+import { icon } from "../icons";
+import { faultWords, fineLines, sizeWords, timeWords, type Finding } from "./checks";
+import { asCurl, asPython, asRecipe, type Variant } from "./exports";
+import type { Clip } from "./server";
+import type { Session } from "./session";
+
+export interface ResultActs {
+  seek(finding: Finding): void;
+  easeOff(): void;
+  open(clip: string): void;
+  download(suffix: "bvh" | "glb" | "json"): void;
+  copied(text: string): void;
+}
+
+export interface ResultState {
+  variants: Clip[];
+  /** What was done last, in words: copied, eased off. */
+  said: string;
+  busy: boolean;
+}
+
+const SHOWN = 6;
+
+export function resultPanel(session: Session, state: ResultState, acts: ResultActs): TemplateResult {
+  return html`${checks(session, state, acts)} ${variants(session, state, acts)} ${exports(session, state, acts)}`;
+}
+
+function checks(session: Session, { busy }: ResultState, acts: ResultActs): TemplateResult {
+  const report = session.checked?.report;
+  const shown = report?.findings.slice(0, SHOWN) ?? [];
+  const more = (report?.findings.length ?? 0) - shown.length;
+  return html`<section class="report ${session.checking ? "stale" : ""}"><header><h2>Checks</h2>
+      <span class="tiny" role="status">${session.checking ? "being checked" : report ? (report.clean ? "all is well" : "") : "not checked"}</span></header>
+    <ul>${shown.map((finding) => fault(finding, acts))}
+      ${more > 0 ? html`<li><span></span><p class="tiny">and ${more} more, marked in the strip below</p></li>` : nothing}
+      ${report ? fineLines(report.findings).map((words) => html`<li class="fine">${icon("check")}<p>${words}</p></li>`) : nothing}</ul>
+    ${report && !report.clean && session.steps.length
+      ? html`<button class="button wide" type="button" ?disabled=${busy} @click=${acts.easeOff}>Ease off until all is well</button>`
+      : nothing}</section>`;
+}
+
+const fault = (finding: Finding, { seek }: ResultActs) => html`<li class="fault">${icon("warning")}
+  <p>${faultWords(finding)} <b>${sizeWords(finding.size, finding.unit)}</b>
+    <button class="link-button" type="button" @click=${() => seek(finding)}>${timeWords(finding)}</button>
+    <span class="tiny">${sizeWords(finding.limit, finding.unit)} would do</span></p></li>`;
+
+function variants(session: Session, { variants }: ResultState, { open }: ResultActs): TemplateResult {
+  return html`<section class="variants"><header><h2>Variants</h2><span class="tiny">of ${session.source.name}</span></header>
+    ${variants.length
+      ? html`<ul>${variants.map(
+          (clip) => html`<li><button type="button" aria-current=${clip.id === session.saved.id ? "true" : nothing} @click=${() => open(clip.id)}>
+            <motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail>
+            <span>${clip.name}</span></button></li>`,
+        )}</ul>`
+      : html`<p class="quiet">What you save is kept here, to be opened again.</p>`}
+    ${session.saved.id === session.source.id
+      ? nothing
+      : html`<button class="link-button" type="button" @click=${() => open(session.source.id)}>Begin again from the original</button>`}</section>`;
+}
+
+function exports(session: Session, { said, busy }: ResultState, acts: ResultActs): TemplateResult {
+  const variant: Variant = {
+    source: session.source.id, operations: session.steps, name: session.name || session.suggestedName,
+  };
+  const copy = (text: string, what: string) => async () => {
+    await navigator.clipboard.writeText(text);
+    acts.copied(`${what} copied`);
+  };
+  const file = (suffix: "bvh" | "glb" | "json", words: string) => html`<button class="button" type="button"
+    ?disabled=${busy} title=${words} @click=${() => acts.download(suffix)}>${icon("download")}${suffix.toUpperCase()}</button>`;
+  const server = location.origin;
+  return html`<section class="exports" id="export" tabindex="-1"><header><h2>Export</h2><span class="tiny" role="status">${said}</span></header>
+    <div class="files" role="group" aria-label="Download">${file("glb", "With its figure, for 3D programs")}${file("bvh", "For animation programs")}${file("json", "Everything as numbers")}</div>
+    <ul>
+      <li><button class="link-button" type="button" @click=${copy(asRecipe(variant), "Recipe")}>${icon("copy")}Copy as recipe</button></li>
+      <li><button class="link-button" type="button" @click=${copy(asCurl(variant, server), "Call")}>${icon("copy")}Copy as curl call</button></li>
+      <li><button class="link-button" type="button" @click=${copy(asPython(variant, server), "Program")}>${icon("copy")}Copy as Python</button></li>
+    </ul>
+    <p class="hint">The calls read an <a href="/research/keys">API key</a> from MANNER_KEY.</p>
+    <a class="make-set" href="/research/sets">${icon("sets")}Make a set</a></section>`;
+}

@@ -1,0 +1,46 @@
+// One amount: its name, a slider that fills from where it does nothing, its value, and a way back.
+import { html, nothing, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import { ref } from "lit/directives/ref.js";
+import { icon } from "../icons";
+
+export interface Amount {
+  label: string;
+  value: number;
+  min: number;
+  max: number;
+  step: number;
+  /** Where it does nothing, and where reset leads. */
+  neutral: number;
+  unit?: string;
+  hint?: string;
+}
+
+export function amountSlider(amount: Amount, set: (value: number) => void): TemplateResult {
+  const { label, value, min, max, step, neutral, unit = "", hint } = amount;
+  const text = `${value.toFixed(step < 1 ? 2 : 0)}${unit && ` ${unit}`}`;
+  const input = (event: Event) => set(Number((event.target as HTMLInputElement).value));
+  const fill = (element: Element | undefined) => paint(element as HTMLElement | undefined, amount);
+  return html`<div class="amount" title=${hint ?? nothing}>
+    <label><span>${label}</span>
+      <input type="range" min=${min} max=${max} step=${step} .value=${live(String(value))} aria-valuetext=${text}
+        @input=${input} @dblclick=${() => set(neutral)} ${ref(fill)}></label>
+    <span class="amount-value" aria-hidden="true">${text.replace("-", "−")}</span>
+    ${resetButton(label, value !== neutral, () => set(neutral))}
+  </div>`;
+}
+
+/** A way back for one control; it keeps its place where there is nothing to go back from. */
+export const resetButton = (label: string, changed: boolean, reset: () => void): TemplateResult =>
+  html`<button class="reset" type="button" title="Reset ${label}" aria-label="Reset ${label}" ?disabled=${!changed} @click=${reset}>
+    ${icon("replay")}</button>`;
+
+/** The content policy allows no style in markup, so it is set on the element. */
+function paint(slider: HTMLElement | undefined, { value, min, max, neutral }: Amount): void {
+  if (!slider) return;
+  const share = (at: number) => (Math.min(Math.max(at, min), max) - min) / (max - min);
+  const [from, to] = [share(neutral), share(value)].sort((one, other) => one - other) as [number, number];
+  slider.style.setProperty("--from", from.toFixed(4));
+  slider.style.setProperty("--to", to.toFixed(4));
+  slider.style.setProperty("--neutral", share(neutral).toFixed(4));
+}

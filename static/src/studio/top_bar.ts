@@ -1,0 +1,48 @@
+// The bar on top: which clip, what it is called, undo and redo, A or B, save.
+import { html, nothing, type TemplateResult } from "lit";
+import { icon } from "../icons";
+import type { Session } from "./session";
+
+export interface TopActs {
+  choose(): void;
+  undo(): void;
+  redo(): void;
+  compare(original: boolean): void;
+  exports(): void;
+  save(): void;
+}
+
+export interface TopState {
+  original: boolean;
+  busy: boolean;
+}
+
+export function topBar(session: Session | null, { original, busy }: TopState, acts: TopActs): TemplateResult {
+  return html`<header class="studio-top">
+    <a class="brand" href="/" aria-label="Manner">${mark}<span>Manner</span></a>
+    <nav class="crumbs" aria-label="Where you are"><a href="/library">Library</a><span aria-hidden="true">/</span></nav>
+    ${session ? title(session, acts) : html`<h1>Studio</h1>`}
+    ${session
+      ? html`<div class="acts">
+          <button class="button quiet icon-button" type="button" title="Undo, Ctrl+Z" aria-label="Undo" ?disabled=${!session.history.canUndo} @click=${acts.undo}>${icon("undo")}</button>
+          <button class="button quiet icon-button" type="button" title="Redo, Ctrl+Shift+Z" aria-label="Redo" ?disabled=${!session.history.canRedo} @click=${acts.redo}>${icon("redo")}</button>
+        </div>
+        <div class="segments compare" role="group" aria-label="Compare; key C">
+          <button type="button" aria-pressed=${original} @click=${() => acts.compare(true)}><b>A</b><span> original</span></button>
+          <button type="button" aria-pressed=${!original} @click=${() => acts.compare(false)}><b>B</b><span> edited</span></button>
+        </div>
+        <div class="acts"><button class="button export-button" type="button" @click=${acts.exports}>${icon("import")}<span>Export</span></button>
+          <button class="button primary" type="button" ?disabled=${busy || session.isSaved} @click=${acts.save}>Save</button></div>`
+      : nothing}
+  </header>`;
+}
+
+function title(session: Session, { choose }: TopActs): TemplateResult {
+  const call = (event: Event) => session.call((event.target as HTMLInputElement).value);
+  return html`<div class="studio-title"><h1 class="visually-hidden">Studio: ${session.name || session.suggestedName}</h1>
+    <input class="title" aria-label="Name of the variant" maxlength="200" placeholder=${session.suggestedName} .value=${session.name} @input=${call}>
+    <p class="tiny">from <button class="link-button" type="button" title="Choose another clip" @click=${choose}>${session.source.name}</button>
+      · <span role="status">${session.isSaved ? "saved" : "not saved"}</span></p></div>`;
+}
+
+const mark = html`<svg class="mark" viewBox="0 0 18 28" aria-hidden="true"><path d="M3.6 26.4 9.9 9.6c2.3 5 2.9 7 3.2 9.6l1 7"></path><circle cx="11" cy="4.6" r="3.4"></circle></svg>`;
