@@ -17,7 +17,7 @@ from playwright.sync_api import Page
 DIST = Path(__file__).parents[2] / "static" / "dist"
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
-    "connect-src 'self' blob:; base-uri 'none'"
+    "connect-src 'self' blob:; font-src 'self'; base-uri 'none'"
 )
 
 Show = Callable[[str], Page]

@@ -35,7 +35,7 @@ export class TimeStrip extends LitElement {
   @property({ attribute: false }) viewer: MotionViewer | null = null;
   @state() private paused = true;
   @state() private width = 0;
-  @query(".tracks") private tracks!: HTMLElement;
+  @query(".strip-tracks") private tracks!: HTMLElement;
   @query("[role=slider]") private slider!: HTMLElement;
   private readonly icons = { start: icon("start"), play: icon("play"), pause: icon("pause"), replay: icon("replay"), loop: icon("loop") };
   private readonly resized = new ResizeObserver(() => (this.width = this.tracks.clientWidth));
@@ -121,6 +121,10 @@ export class TimeStrip extends LitElement {
     this.tell("loop", { loop });
   }
 
+  private loopBetween(start: number, end: number): void {
+    this.setLoop(rangeOf(start, end, this.duration / 100));
+  }
+
   private open(mark: Mark): void {
     this.step(onFrame(mark.worst.start, this.duration, this.frames));
     this.tell("finding", { finding: mark.worst });
@@ -131,7 +135,7 @@ export class TimeStrip extends LitElement {
     if (!event.isPrimary || event.button !== 0 || target.closest("button") || !this.duration) return;
     event.preventDefault(); // no selection of text
     this.slider.focus({ preventScroll: true });
-    if (target.closest(".ruler")) this.dragLoop(event);
+    if (target.closest(".strip-ruler")) this.dragLoop(event);
     else this.dragTime(event);
   }
 
@@ -166,8 +170,8 @@ export class TimeStrip extends LitElement {
     const time = keyed(event.key, event.shiftKey, this);
     if (time !== undefined) this.step(time);
     else if (event.key === " ") this.toggle();
-    else if (event.key === "i") this.setLoop({ start: this.time, end: Math.max(this.loop?.end ?? 0, this.time) || this.duration });
-    else if (event.key === "o") this.setLoop({ start: Math.min(this.loop?.start ?? 0, this.time), end: this.time });
+    else if (event.key === "i") this.loopBetween(this.time, this.loop?.end ?? this.duration);
+    else if (event.key === "o") this.loopBetween(this.loop?.start ?? 0, this.time);
     else if (event.key === "Escape" && this.loop) this.setLoop(null);
     else return;
     event.preventDefault();
@@ -177,7 +181,7 @@ export class TimeStrip extends LitElement {
     return html`<div class="strip-head">${this.transport()}${this.reading()}${this.tools()}</div>
       <div class="strip-rows">
         <div class="strip-names" aria-hidden="true"><span>Left foot</span><span>Right foot</span><span>Check</span></div>
-        <div class="tracks" @pointerdown=${this.onPointer}>${this.ruler()}${this.feet()}${this.checks()}${this.now()}</div>
+        <div class="strip-tracks" @pointerdown=${this.onPointer}>${this.ruler()}${this.feet()}${this.checks()}${this.now()}</div>
       </div>`;
   }
 
@@ -186,7 +190,7 @@ export class TimeStrip extends LitElement {
     const name = paused ? "Play" : "Pause";
     const button = (words: string, picture: SVGElement, click: () => void) =>
       html`<button type="button" aria-label=${words} title=${words} @click=${click}>${picture}</button>`;
-    return html`<div class="transport">
+    return html`<div class="strip-transport">
       ${button("To the start", icons.start, () => this.step(this.loop?.start ?? 0))}
       ${button(name, paused ? icons.play : icons.pause, () => this.toggle())}
       ${button("Replay from the start", icons.replay, () => this.replay())}
@@ -201,7 +205,7 @@ export class TimeStrip extends LitElement {
 
   private reading(): TemplateResult {
     const frame = frameOf(this.time, this.duration, this.frames) + 1;
-    return html`<p class="reading"><b>${this.time.toFixed(2)} s</b> of ${this.duration.toFixed(2)} s
+    return html`<p class="strip-reading"><b>${this.time.toFixed(2)} s</b> of ${this.duration.toFixed(2)} s
       <span class="frame">· frame ${frame}</span></p>`;
   }
 
@@ -218,18 +222,18 @@ export class TimeStrip extends LitElement {
       <select aria-label="Speed" title="Speed" @change=${(event: Event) => (viewer.speed = Number((event.target as HTMLSelectElement).value))}>
         ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === viewer.speed}>${speed}×</option>`)}
       </select>
-      <button type="button" aria-pressed=${Boolean(loop) || viewer.loop} title="Drag along the ruler to repeat a part"
+      <button type="button" aria-pressed=${Boolean(loop) || viewer.loop} title="Drag along the ruler, or press I and O, to repeat a part"
         @click=${toggleLoop}>${icons.loop}<span>${words}</span></button>
     </div>`;
   }
 
   private ruler(): TemplateResult {
     const { duration, width, loop } = this;
-    return html`<div class="ruler">
-      ${loop ? html`<i class="range" .style=${span(loop.start, loop.end, duration)}></i>` : nothing}
+    return html`<div class="strip-ruler">
+      ${loop ? html`<i class="strip-range" .style=${span(loop.start, loop.end, duration)}></i>` : nothing}
       ${guard([duration, width], () =>
         ticks(duration, width).map(({ time, label }) =>
-          html`<span class=${label ? "tick" : "tick short"} .style=${`left: ${placeOf(time, duration)}%`}>${label ?? nothing}</span>`))}
+          html`<span class=${label ? "strip-tick" : "strip-tick short"} .style=${`left: ${placeOf(time, duration)}%`}>${label ?? nothing}</span>`))}
     </div>`;
   }
 
@@ -239,7 +243,7 @@ export class TimeStrip extends LitElement {
       SIDES.map((side) => {
         const stands = contacts[side].map(([start, end]) => `${start.toFixed(1)} to ${end.toFixed(1)}`);
         const words = `The ${side} foot stands ${stands.length ? `from ${stands.join(", ")} seconds` : "nowhere"}`;
-        return html`<div class="foot" role="img" aria-label=${words}>
+        return html`<div class="strip-foot" role="img" aria-label=${words}>
           ${contacts[side].map(([start, end]) => html`<i .style=${span(start, end, duration)}></i>`)}
         </div>`;
       }));
@@ -247,8 +251,8 @@ export class TimeStrip extends LitElement {
 
   private checks(): unknown {
     const { findings, duration, width } = this;
-    return guard([findings, duration, width], () => html`<div class="checks">
-      ${findings?.length === 0 ? html`<span class="fine">nothing found</span>` : nothing}
+    return guard([findings, duration, width], () => html`<div class="strip-checks">
+      ${findings?.length === 0 ? html`<span class="strip-fine">nothing found</span>` : nothing}
       ${(findings ?? []).map(({ start, end }) => html`<i .style=${span(start, end, duration)}></i>`)}
       ${marks(findings ?? [], duration, width).map((mark) => this.mark(mark))}
     </div>`);
@@ -257,7 +261,7 @@ export class TimeStrip extends LitElement {
   private mark(mark: Mark): TemplateResult {
     const { worst, words, labelled, before } = mark;
     const full = `${words}, ${timeWords(worst)}`;
-    return html`<button type="button" class=${before ? "mark before" : "mark"} aria-label=${full} title=${full}
+    return html`<button type="button" class=${before ? "strip-mark before" : "strip-mark"} aria-label=${full} title=${full}
       .style=${`left: ${placeOf(mark.findings[0]!.start, this.duration)}%`} @click=${() => this.open(mark)}>
       <svg viewBox="0 0 16 16" aria-hidden="true"><path d="M8 1.5 15.2 14.5H.8z"></path><path class="sign" d="M8 6v4M8 12.2v.1"></path></svg>
       ${labelled ? html`<span>${words}</span>` : nothing}</button>`;
@@ -266,7 +270,7 @@ export class TimeStrip extends LitElement {
   private now(): TemplateResult {
     const { time, duration } = this;
     const frame = frameOf(time, duration, this.frames) + 1;
-    return html`<div class="now" role="slider" tabindex="0" aria-label="Current time" aria-valuemin="0"
+    return html`<div class="strip-now" role="slider" tabindex="0" aria-label="Current time" aria-valuemin="0"
       aria-valuemax=${duration.toFixed(2)} aria-valuenow=${time.toFixed(2)}
       aria-valuetext=${`${time.toFixed(2)} of ${duration.toFixed(2)} seconds, frame ${frame}`}
       .style=${`left: ${placeOf(time, duration)}%`} @keydown=${this.onKey}></div>`;

@@ -15,7 +15,7 @@ export interface Tick {
 /** Seconds between two labels. */
 const STEPS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600];
 /** Pixels that a label needs at least. */
-const LABEL = 60;
+const LABEL = 80;
 
 /** Percent of the strip's width. */
 export const placeOf = (time: number, duration: number): number =>
