@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import threading
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 
+NICENESS = 5  # requests come first
+
 
 @contextmanager
-def executor(scheduler: str = "") -> Iterator[Executor]:
+def executor(scheduler: str = "", processes: int | None = None) -> Iterator[Executor]:
     """Something that takes work by ``submit`` and ``map``; it ends with the block.
 
     Args:
         scheduler: address of a Dask scheduler, such as ``tcp://scheduler:8786``; empty for this
             machine. A cluster runs a killed worker's tasks again. Its tasks cost about 2 ms each,
             so hand over chunks.
+        processes: of this machine; None for one a processor.
     """
     if scheduler:
         # Imported when wanted: the cluster's client takes a second to load and most have none.
@@ -27,5 +31,20 @@ def executor(scheduler: str = "") -> Iterator[Executor]:
     else:
         # Spawned, not forked: a forked child would inherit open database connections and locks.
         context = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(max_workers=os.cpu_count(), mp_context=context) as pool:
+        with ProcessPoolExecutor(
+            processes or os.cpu_count(), mp_context=context, initializer=_prepare_process
+        ) as pool:
             yield pool
+
+
+def _prepare_process() -> None:
+    os.nice(NICENESS)
+    threading.Thread(target=_end_with_parent, name="parent", daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    # A pool's processes wait for work for ever if the server is killed and cannot tell them.
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)

@@ -8,7 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from fastapi import FastAPI
-from starlette.middleware.gzip import GZipMiddleware
+from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
 from app import error_handling
 from app.assets import Assets, BuiltFiles
@@ -17,7 +17,10 @@ from app.pages import make_templates
 from app.persistence.engine import Database, make_engine
 from app.persistence.writer import Writer
 from app.routes import (
+    batches,
+    catalogue,
     edits,
+    graphs,
     health,
     imports,
     keys,
@@ -28,6 +31,9 @@ from app.routes import (
     research,
     research_auth,
     sessions_api,
+    sets,
+    sets,
+    studio,
 )
 from app.schemas.errors import ERRORS
 from app.security import (
@@ -37,6 +43,9 @@ from app.security import (
     HeadersMiddleware,
     SignInCookies,
 )
+from app.services.downloads import ClipFiles
+from app.services.job_pool import JobPool
+from app.services.job_runner import JobRunner
 from app.services.keys import KeyUses
 from app.services.media import MediaStore
 from app.settings import PROJECT, Settings
@@ -47,6 +56,9 @@ ROUTERS = (
     pages.router,
     library.router,
     edits.router,
+    catalogue.router,
+    graphs.router,
+    graphs.api,
     imports.router,
     media.router,
     health.router,
@@ -56,6 +68,9 @@ ROUTERS = (
     research.router,
     research.api,
     keys.router,
+    batches.router,
+    sets.router,
+    studio.router,
 )
 
 
@@ -92,8 +107,12 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
 @asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     app.state.writer = Writer(app.state.database)
-    app.state.workers = Workers()
+    app.state.workers = Workers(module="app.services.rendering")
+    app.state.clip_files = ClipFiles(app.state.database, app.state.workers)
+    pool = JobPool(app.state.settings.scheduler)
+    app.state.jobs = JobRunner(app.state.database, app.state.writer, pool)
     yield
+    app.state.jobs.close()
     app.state.workers.close()
     app.state.writer.close()  # what was handed in is still stored
     app.state.database.engine.dispose()
@@ -103,6 +122,12 @@ def _add_middleware(app: FastAPI, settings: Settings) -> None:
     # The last one added is the outermost.
     app.add_middleware(BodyLimitMiddleware, settings.request_limit, settings.upload_limit)
     app.add_middleware(CsrfMiddleware, settings.signing_key, settings.secure)
-    app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=6)
+    app.add_middleware(
+        GZipMiddleware,
+        minimum_size=1000,
+        compresslevel=6,
+        # Each preview is another file: compressing it would take longer than sending it.
+        exclude_content_types=(*DEFAULT_EXCLUDED_CONTENT_TYPES, "model/gltf-binary"),
+    )
     app.add_middleware(LogMiddleware)
     app.add_middleware(HeadersMiddleware, settings.secure)
