@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from multiprocessing.connection import Connection
 from typing import Any, ParamSpec, TypeVar
 from zlib import crc32
@@ -35,15 +36,18 @@ class Workers:
     Args:
         count: number of processes; None for one a processor.
         seconds: how long one piece of work may take.
+        module: what a process imports first, so that its first work need not wait for it.
     """
 
-    def __init__(self, count: int | None = None, seconds: float = SECONDS) -> None:
-        self._workers = [_Worker(seconds) for _ in range(count or os.cpu_count() or 1)]
+    def __init__(
+        self, count: int | None = None, seconds: float = SECONDS, module: str = "app.workers"
+    ) -> None:
+        self._workers = [_Worker(seconds, module) for _ in range(count or os.cpu_count() or 1)]
         self._gate = threading.Lock()
         self._waiting = threading.BoundedSemaphore(WAITING)
 
     def start(self) -> None:
-        """Start the processes now, without waiting until they are ready."""
+        """Start the processes, without waiting until they are ready."""
         for worker in self._workers:
             worker.start()
 
@@ -90,17 +94,21 @@ class Workers:
 class _Worker:
     """One process and the line to it; one piece of work after the other."""
 
-    def __init__(self, seconds: float) -> None:
+    def __init__(self, seconds: float, module: str) -> None:
         self.load = 0
         self._seconds = seconds
+        self._module = module
         self._turn = threading.Lock()
         self._line: Connection | None = None
         self._process: multiprocessing.process.BaseProcess | None = None
         self._closed = False
 
     def start(self) -> None:
-        with self._turn:
-            self._started()
+        if self._turn.acquire(blocking=False):  # otherwise it is at work already
+            try:
+                self._started()
+            finally:
+                self._turn.release()
 
     def run(self, work: partial[T]) -> T:
         with self._turn:
@@ -146,7 +154,7 @@ class _Worker:
             raise BusyError("The server is shutting down.")
         if self._line is None:
             self._line, theirs = _context.Pipe()
-            self._process = _context.Process(target=_work, args=(theirs,), daemon=True)
+            self._process = _context.Process(target=_work, args=(theirs, self._module), daemon=True)
             self._process.start()
             theirs.close()  # so that we hear of its death
         return self._line
@@ -170,10 +178,11 @@ class _Outcome:
     fault: Exception | None = None
 
 
-def _work(line: Connection) -> None:
+def _work(line: Connection, module: str) -> None:
     """What a worker's process does: take work, send the outcome, until the server is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C ends the server, which ends us
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the processes share the processors
+    import_module(module)
     with suppress(EOFError, OSError):
         while True:
             try:

@@ -7,7 +7,7 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, File, Form, Response, UploadFile
 from pydantic import ValidationError
 
-from app.dependencies import CsrfChecked, CurrentDatabase, signed_in_researcher
+from app.dependencies import CurrentDatabase, key_writer
 from app.errors import InvalidError
 from app.schemas.errors import ERRORS
 from app.schemas.library import Imported, ImportOptions
@@ -17,7 +17,7 @@ router = APIRouter(
     prefix="/api/v1",
     tags=["library"],
     responses=ERRORS,
-    dependencies=[Depends(signed_in_researcher), CsrfChecked],
+    dependencies=[Depends(key_writer)],
 )
 
 

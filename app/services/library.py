@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from sqlalchemy.orm import Session
 
-from app.errors import ConflictError, NotFoundError
+from app.errors import ConflictError, InvalidError, NotFoundError
 from app.persistence import blobs, clips
 from app.persistence.models import ClipRecord
 from app.schemas.library import ClipDetail, ClipList, ClipView, Provenance
@@ -65,6 +65,18 @@ def find(db: Session, clip_id: str, *, signed_in: bool) -> ClipRecord:
             mend="Look for it in the library. Other clips than samples show after signing in.",
         )
     return clip
+
+
+def content(db: Session, clip: ClipRecord) -> bytes:
+    """The stored motion.
+
+    Raises:
+        InvalidError: somebody has deleted it behind our back.
+    """
+    stored = blobs.content(db, clip.clip_blob)
+    if stored is None:
+        raise InvalidError(f"The file of the clip {clip.name} is missing from the database.")
+    return stored
 
 
 def confirm(db: Session, clip_id: str) -> ClipDetail:

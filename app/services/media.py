@@ -20,6 +20,10 @@ class Media:
     plain: bytes
     compressed: bytes
 
+    def content(self, compressed: bool) -> bytes:
+        """The one or the other."""
+        return self.compressed if compressed else self.plain
+
 
 class MediaStore:
     """Reads GLB files and keeps the latest in memory, compressed once instead of each time."""

@@ -11,8 +11,9 @@ from argon2 import PasswordHasher
 from httpx2 import Response
 from starlette.testclient import TestClient
 
+from app import main
 from app.persistence.engine import Database
-from app.services import clip_files, researchers, samples
+from app.services import clip_files, rendering, researchers, samples
 from motion import Clip
 from motion.figure import FigureMesh, build_figure
 from tests.support.motions import walks
@@ -29,10 +30,28 @@ def csrf_token(client: TestClient, page: str = "/no-webgl") -> str:
 
 @pytest.fixture(autouse=True)
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Passwords are hashed cheaply, and a skeleton's figure is built once for all tests."""
+    """Passwords are hashed cheaply, motions computed in place, and a figure built once for all."""
     cheap = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
     monkeypatch.setattr(researchers, "_hasher", cheap)
     monkeypatch.setattr(clip_files, "build_figure", built_once)
+    monkeypatch.setattr(rendering, "build_figure", built_once)
+    monkeypatch.setattr(main, "Workers", InPlace)
+
+
+class InPlace:
+    """Does at once, in the test's own process, what workers do."""
+
+    def __init__(self, **_: object) -> None:
+        pass
+
+    def start(self) -> None:
+        pass
+
+    def run(self, _: str, function: Callable[..., object], *args: object) -> object:
+        return function(*args)
+
+    def close(self) -> None:
+        pass
 
 
 def built_once(clip: Clip) -> FigureMesh:

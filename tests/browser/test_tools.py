@@ -53,7 +53,7 @@ def answers_by(server: Server, participants: int, seed: int = 1) -> None:
 def sample_bvh(page: Page, server: Server, name: str = "acted_male_sad") -> str:
     clips = page.request.get(server.url + "/api/v1/clips").json()["clips"]
     (clip,) = (clip for clip in clips if clip["name"] == name)
-    return page.request.get(f"{server.url}/api/v1/clips/{clip['id']}/download.bvh").text()
+    return page.request.get(f"{server.url}/api/v1/clips/{clip['id']}.bvh").text()
 
 
 def choose(page: Page, name: str, text: str) -> None:

@@ -49,7 +49,7 @@ export class ClipLibrary extends LitElement {
   /** Show the report of a clip that an earlier visit left to be confirmed. */
   private async reopen(clip: Clip): Promise<void> {
     try {
-      const { report } = await api.get<components["schemas"]["ClipDetail"]>(`/api/v1/clips/${clip.id}`);
+      const { report } = await api.get<components["schemas"]["ClipDetail"]>(`/api/v1/clips/${clip.id}?motion=false`);
       if (report) this.show(this.queue.found({ clip, report, already_there: false }));
     } catch (error) {
       this.problem = asApiError(error);

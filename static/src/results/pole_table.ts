@@ -25,7 +25,7 @@ async function showClip(id: string): Promise<void> {
   const place = document.querySelector("motion-thumbnail[data-best]");
   if (!place) return;
   const [clip] = await Promise.all([
-    api.get<components["schemas"]["ClipDetail"]>(`/api/v1/clips/${id}`),
+    api.get<components["schemas"]["ClipDetail"]>(`/api/v1/clips/${id}?motion=false`),
     import("../viewer/thumbnails"),
   ]);
   place.setAttribute("poster-time", String(clip.poster_time));

@@ -6,7 +6,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from app.persistence.engine import Database
-from app.services import downloads, samples
+from app.services import rendering, samples
 from motion.bvh import read_bvh
 from tests.app.conftest import Researching, built_once
 from tests.support.motions import walk, walk_bvh, walks
@@ -74,7 +74,7 @@ def test_imported_clips_are_hidden_from_strangers(signed_in: Researching) -> Non
     assert listed(stranger) == ["walk"]
     stranger.cookies.clear()
     assert listed(stranger) == []
-    for path in ("", "/download.bvh", "/download.glb"):
+    for path in ("", ".bvh", ".glb"):
         response = stranger.get(f"/api/v1/clips/{clip['id']}{path}")
         assert response.status_code == 404
         assert response.json()["error"]["code"] == "clip_not_found"
@@ -83,13 +83,13 @@ def test_imported_clips_are_hidden_from_strangers(signed_in: Researching) -> Non
 
 def test_a_clip_is_taken_home_as_bvh(client: TestClient, samples_made: int) -> None:
     sample = walks()[0]
-    response = client.get(f"/api/v1/clips/{sample.clip.content_hash}/download.bvh")
+    response = client.get(f"/api/v1/clips/{sample.clip.content_hash}.bvh")
     assert sample.name in response.headers["content-disposition"]
     assert read_bvh(response.content).values.shape[0] == sample.clip.frames
 
 
 def test_a_clip_is_taken_home_as_glb_with_its_figure(client: TestClient, samples_made: int) -> None:
-    response = client.get(f"/api/v1/clips/{walk().content_hash}/download.glb")
+    response = client.get(f"/api/v1/clips/{walk().content_hash}.glb")
     bare = client.get("/api/v1/clips").json()["clips"]
     url = next(clip["glb_url"] for clip in bare if clip["id"] == walk().content_hash)
     assert response.headers["content-type"] == "model/gltf-binary"
@@ -102,13 +102,13 @@ def test_the_figure_of_a_skeleton_is_built_once_for_all_its_downloads(
     client: TestClient, samples_made: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     built = []
-    monkeypatch.setattr(downloads, "_figures", {})
-    monkeypatch.setattr("motion.figure.build_figure", lambda clip: built.append(clip) or mesh)
+    monkeypatch.setattr(rendering, "_figures", {})
+    monkeypatch.setattr(rendering, "build_figure", lambda clip: built.append(clip) or mesh)
     mesh = built_once(walk())
     same = [w.clip for w in walks() if w.clip.skeleton.content_hash == mesh.skeleton.content_hash]
     assert len(same) > 1
     for clip in same:
-        response = client.get(f"/api/v1/clips/{clip.content_hash}/download.glb")
+        response = client.get(f"/api/v1/clips/{clip.content_hash}.glb")
         assert b'"skins"' in response.content
     assert len(built) == 1
 
@@ -128,11 +128,13 @@ def test_samples_cannot_be_deleted(signed_in: Researching, samples_made: int) ->
         ("post", "/api/v1/imports"),
     ],
 )
-def test_writing_needs_a_signed_in_researcher(client: TestClient, method: str, path: str) -> None:
+def test_writing_needs_a_key_or_a_signed_in_researcher(
+    client: TestClient, method: str, path: str
+) -> None:
     more = {
         "patch": {"json": {}},
         "post": {"files": {"file": ("a.bvh", b"")}} if path.endswith("imports") else {},
     }
     response = getattr(client, method)(path, **more.get(method, {}))
     assert response.status_code == 401
-    assert response.json()["error"]["code"] == "sign_in_needed"
+    assert response.json()["error"]["code"] == "key_needed"
