@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
@@ -30,6 +31,15 @@ PAIR = (
     "</motion-viewer>"
 )
 STYLE = "body { margin: 0 } motion-viewer { height: 300px } "
+STRIP = "document.querySelector('time-strip')"
+WITH_STRIP = ONE + "</motion-viewer><time-strip></time-strip>"
+# A fault in the middle of the motion, the strip bound to the viewer.
+BIND = """() => {
+  const viewer = document.querySelector("motion-viewer");
+  const start = viewer.duration / 2;
+  Object.assign(document.querySelector("time-strip"), { viewer, findings: [{ kind: "foot slip",
+    part: "left foot", start, end: start, size: 0.007, unit: "m", limit: 0.005 }] });
+}"""
 # Gives figure 0 the motion of a file (base64) and tells what the viewer says to it.
 SET = """async (file) => {
   const viewer = document.querySelector("motion-viewer");
@@ -65,6 +75,17 @@ def show(site: tuple[Path, str], page: Page) -> Show:
     """Open a page with some markup and the viewer's script."""
     page.set_viewport_size({"width": 400, "height": 420})
     return shower(page, *site)
+
+
+@pytest.fixture
+def strip(site: tuple[Path, str], page: Page) -> Page:
+    """A viewer with a time strip that drives it."""
+    page.set_viewport_size({"width": 640, "height": 560})
+    shower(page, *site, entry="studio")(WITH_STRIP)
+    ready(page)
+    page.evaluate(BIND)
+    expect(page.get_by_role("slider")).to_have_attribute("aria-valuenow", "0.00")
+    return page
 
 
 def _set_motion(page: Page, glb: bytes) -> object:
@@ -139,7 +160,8 @@ def test_a_pose_from_outside_is_shown_exactly_while_the_clock_stands(
         page.evaluate(f"([root, turns]) => {VIEWER}.setPose(0, root, turns)", [root, turns])
         assert np.abs(_joints(page) - world[frame]).max() < 1e-3
     assert page.evaluate(f"[{VIEWER}.live, {VIEWER}.paused]") == [True, True]
-    drawn = page.evaluate(f"{VIEWER}.statistics.frames")
+    # A frame is asked for at which the clock would show its own moment, if it had a say.
+    drawn = page.evaluate(f"{VIEWER}.seek(0), {VIEWER}.statistics.frames")
     until(page, f"{VIEWER}.statistics.frames > {drawn}")
     assert np.abs(_joints(page) - world[40]).max() < 1e-3
 
@@ -172,3 +194,61 @@ def test_the_original_stands_behind_beside_or_alone_without_a_reload(
     page.evaluate(f"{VIEWER}.setShown(0, false)")
     expect(page.get_by_text("Edited")).to_be_hidden()
     expect(page.get_by_text("Original")).to_be_visible()
+
+
+def _time(page: Page) -> float:
+    return page.evaluate(f"{VIEWER}.currentTime")
+
+
+def test_keys_on_the_time_strip_step_by_frames(strip: Page, clips: list[Clip]) -> None:
+    frame_time = clips[0].frame_time
+    strip.get_by_role("slider").focus()
+    strip.keyboard.press("ArrowRight")
+    strip.keyboard.press("Shift+ArrowRight")
+    assert _time(strip) == pytest.approx(11 * frame_time)
+    strip.keyboard.press("ArrowLeft")
+    assert _time(strip) == pytest.approx(10 * frame_time)
+    expect(strip.get_by_role("slider")).to_have_attribute("aria-valuetext", re.compile("frame 11"))
+    strip.keyboard.press("End")
+    assert _time(strip) == pytest.approx(clips[0].duration)
+    strip.keyboard.press("Home")
+    assert _time(strip) == 0
+
+
+def test_dragging_over_the_time_strip_seeks_and_playing_goes_on_after_it(
+    strip: Page, clips: list[Clip]
+) -> None:
+    strip.evaluate(f"{VIEWER}.play()")
+    box = strip.get_by_role("img", name="The left foot").bounding_box()
+    assert box
+    strip.mouse.move(box["x"] + box["width"] / 4, box["y"] + 5)
+    strip.mouse.down()
+    for share in (0.5, 0.75):
+        strip.mouse.move(box["x"] + box["width"] * share, box["y"] + 40)
+        near = pytest.approx(share * clips[0].duration, abs=2 * clips[0].frame_time)
+        assert _time(strip) == near
+        assert strip.evaluate(f"{VIEWER}.paused") is True
+    strip.mouse.up()
+    assert strip.evaluate(f"{VIEWER}.paused") is False
+
+
+def test_a_fault_on_the_time_strip_is_named_and_leads_to_its_moment(
+    strip: Page, clips: list[Clip]
+) -> None:
+    strip.get_by_role("button", name="left foot slides 7 mm").click()
+    assert _time(strip) == pytest.approx(clips[0].duration / 2, abs=clips[0].frame_time)
+
+
+def test_a_drag_along_the_ruler_repeats_that_part_only(strip: Page) -> None:
+    box = strip.locator(".strip-ruler").bounding_box()
+    assert box
+    strip.mouse.move(box["x"] + box["width"] * 0.5, box["y"] + 12)
+    strip.mouse.down()
+    strip.mouse.move(box["x"] + box["width"] * 0.75, box["y"] + 12)
+    strip.mouse.up()
+    start, duration = strip.evaluate(f"[{STRIP}.loop.start, {VIEWER}.duration]")
+    assert start == pytest.approx(duration / 2, abs=0.02)
+    strip.get_by_role("button", name="Play", exact=True).click()
+    until(strip, f"{VIEWER}.currentTime >= {start}")
+    strip.get_by_role("button", name="Loop 0.").click()
+    assert strip.evaluate(f"{STRIP}.loop") is None
