@@ -32,7 +32,6 @@ from app.routes import (
     research_auth,
     sessions_api,
     sets,
-    sets,
     studio,
 )
 from app.schemas.errors import ERRORS

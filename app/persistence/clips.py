@@ -73,7 +73,7 @@ def contents(db: Session, ids: Iterable[str]) -> dict[str, bytes]:
     if not wanted:
         return {}
     query = select(ClipRecord.id, Blob.content).join(Blob, Blob.hash == ClipRecord.clip_blob)
-    return dict(db.execute(query.where(ClipRecord.id.in_(wanted))).tuples().all())
+    return {row.id: row.content for row in db.execute(query.where(ClipRecord.id.in_(wanted)))}
 
 
 def present(db: Session, ids: Iterable[str]) -> set[str]:
