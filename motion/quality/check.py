@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeVar
 
+from motion.body import REQUIRED
 from motion.clip import Clip
+from motion.errors import MotionError
 from motion.quality.feet import imbalance, slips, sunk
 from motion.quality.jerk import jerks
 from motion.quality.joints import bends
 from motion.quality.limbs import intersections
 from motion.quality.pair import matched
-from motion.quality.report import QualityReport
+from motion.quality.report import QualityReport, in_words
 
 Made = TypeVar("Made")
 
@@ -29,6 +31,9 @@ def check(original: Clip, edited: Clip) -> QualityReport:
     Raises:
         MotionError: if the two clips cannot be compared, or a limb's body roles are missing.
     """
+    missing = [role for role in REQUIRED if role not in original.skeleton.roles]
+    if missing:
+        raise MotionError(f"No joint is the {in_words(missing[0])}: set that body role first.")
     pair = matched(original, edited)
     findings = [
         finding

@@ -17,7 +17,8 @@ _MOVING = ("hips", *LEGS, "left_toes", "right_toes")
 def standing_again(before: Clip, edited: Clip) -> Clip:
     """The edited clip with feet that stand where they stood; as it is where no legs are known."""
     known = all(role in before.skeleton.roles for role in LEGS)
-    return repair_feet(before, edited) if known and edited is not before else edited
+    moves = edited is not before and edited.frames > 1
+    return repair_feet(before, edited) if known and moves else edited
 
 
 def standing_in_place(before: Clip, edited: Clip) -> Clip:
@@ -34,6 +35,8 @@ def moves_feet(roles: Iterable[str]) -> bool:
 
 
 def _repair_feet(clip: Clip, context: Context) -> Clip:
+    if clip.frames < 2:
+        return clip
     return repair_feet(matched(context.unedited(), clip).original, clip)
 
 

@@ -126,7 +126,9 @@ def bounded(frames: float) -> None:
     Raises:
         MotionError: if its frames would be too many, or too few to be a motion.
     """
-    if not 2 <= frames <= MAX_FRAMES:
+    if frames < 2:
+        raise MotionError("Nothing would be left of the clip.")
+    if frames > MAX_FRAMES:
         raise MotionError(
-            f"The result would have {round(frames)} frames; from 2 to {MAX_FRAMES} are possible."
+            f"The result would have {round(frames)} frames; at most {MAX_FRAMES} are possible."
         )

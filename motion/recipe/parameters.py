@@ -53,7 +53,7 @@ class Parameter:
         return self._read(value, where)
 
     def to_schema(self) -> dict[str, Value]:
-        """JSON Schema (2020-12), with ``unit`` and ``neutral`` besides."""
+        """JSON Schema (2020-12), with ``unit``, ``neutral`` and ``refers`` besides."""
         schema = {"title": self.title, **self._schema()}
         if self.optional and self.default is None:
             if "type" in schema:
@@ -184,7 +184,7 @@ class Reference(Parameter):
         raise RecipeError(problem, where, f"{named} the {self.kind}'s id: 64 characters 0–9, a–f.")
 
     def _schema(self) -> dict[str, Value]:
-        by_id: dict[str, Value] = {"type": "string", "pattern": HEX_ID}
+        by_id: dict[str, Value] = {"type": "string", "pattern": HEX_ID, "refers": self.kind}
         if not self.names:
             return by_id
         return {"anyOf": [{"type": "string", "enum": list(self.names)}, by_id]}

@@ -48,7 +48,7 @@ class Equaliser:
 
 
 def _grid(clip: Clip, _: Context, *, path: float, timing: float) -> Clip:
-    if path == timing == 1.0:
+    if path == timing == 1.0 or clip.frames < 2:
         return clip
     edited = cached_nine_motions(clip).at(path, timing)
     return edited if timing == 1.0 else standing_in_place(clip, edited)

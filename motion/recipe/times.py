@@ -146,7 +146,15 @@ RESAMPLE = operation(
     "resample@1",
     "Frame rate",
     "The same motion with another number of frames a second.",
-    {"rate": Number(title="Rate", unit="Hz", minimum=10.0, maximum=240.0)},
+    {
+        "rate": Number(
+            title="Rate",
+            description="Frames a second.",
+            unit="Hz",
+            minimum=10.0,
+            maximum=240.0,
+        )
+    },
     _resample,
     follow=_resample,
 )
@@ -185,6 +193,7 @@ WARP_TIME = operation(
     {
         "moments": ListOf(
             title="Moments",
+            description="They must not overtake each other.",
             longest=64,
             item=Group(
                 title="Moment",

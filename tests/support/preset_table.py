@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from motion import Clip
@@ -133,6 +134,7 @@ def rows(preset: Preset, clips: dict[str, Clip], before: dict[str, dict[str, flo
     ]
 
 
+@cache
 def all_rows() -> dict[str, list[Row]]:
     """Preset to its rows."""
     clips = neutral_clips()
@@ -140,6 +142,7 @@ def all_rows() -> dict[str, list[Row]]:
     return {name: rows(preset, clips, before) for name, preset in PRESETS.items()}
 
 
+@cache
 def neutral_clips() -> dict[str, Clip]:
     """Body to its neutral acted clip."""
     names = {name: body for body, name in CLIPS.items()}

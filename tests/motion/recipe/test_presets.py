@@ -1,0 +1,63 @@
+"""What presets intend can be measured, and the page that says so is up to date."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from app.studies.emotion import SCALES
+from motion.recipe import PRESETS, check_recipe
+from tests.support import preset_table
+
+FIGURE_29 = {
+    "afraid", "angry", "energetic_sadness", "excited", "feminine", "happy", "masculine", "relaxed",
+    "sad", "strong", "tired", "weak",
+}  # fmt: skip
+PROPOSALS = {"angry_at_contacts", "excited_faster", "relaxed_slower", "nervous"}
+
+
+@pytest.fixture(scope="module")
+def table():
+    return preset_table.all_rows()
+
+
+def test_the_presets_are_the_thesis_s_twelve_and_four_proposals():
+    assert set(PRESETS) == FIGURE_29 | PROPOSALS
+    assert len({preset.operations.hash for preset in PRESETS.values()}) == len(PRESETS)
+
+
+def test_every_preset_names_a_pole_of_the_questionnaire():
+    poles = {scale.id: (scale.left, scale.right) for scale in SCALES}
+    for preset in PRESETS.values():
+        assert preset.pole in poles[preset.axis]
+
+
+def test_presets_need_nothing_from_outside():
+    for preset in PRESETS.values():
+        assert not preset.operations.poses
+        assert not preset.operations.clips
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_a_preset_shows_what_it_intends_on_both_bodies(name, table):
+    wrong = [row.text for row in table[name] if not row.shown]
+    assert not wrong
+    assert len(table[name]) == 7
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_a_preset_breaks_nothing_on_the_neutral_clips(name):
+    for body, clip in preset_table.neutral_clips().items():
+        report = check_recipe(clip, PRESETS[name].operations)
+        assert report.clean, (body, report)
+
+
+def test_the_page_says_what_the_code_gives():
+    """Numbers may differ by rounding; a machine's arithmetic is its own."""
+    written, made = preset_table.PAGE.read_text(encoding="utf-8"), preset_table.page()
+    number = re.compile(r"[-+]?\d+(?:\.\d+)?")
+    assert number.sub("#", written) == number.sub("#", made)
+    for was, now in zip(number.findall(written), number.findall(made), strict=True):
+        digits = len(was.partition(".")[2])
+        assert float(was) == pytest.approx(float(now), abs=1.01 * 10**-digits)
