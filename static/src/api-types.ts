@@ -9,18 +9,25 @@ export interface paths {
         };
         /**
          * List Clips
-         * @description The clips: samples for everybody, imported ones for researchers.
+         * @description The clips: samples for everybody, the others for researchers and their API keys.
          */
         get: operations["list_clips"];
         put?: never;
-        post?: never;
+        /**
+         * Create Clip
+         * @description Make a clip by a recipe and keep it: 201.
+         *
+         *     The same recipe on the same source gives the same clip; 200 if it is there already, under the
+         *     name and the tags that it has.
+         */
+        post: operations["create_clip"];
         delete?: never;
         options?: never;
         head?: never;
         patch?: never;
         trace?: never;
     };
-    "/api/v1/clips/{clip_id}/download.bvh": {
+    "/api/v1/clips/{clip_id}.json": {
         parameters: {
             query?: never;
             header?: never;
@@ -28,10 +35,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Download Bvh
-         * @description The clip as a BVH file, in centimetres.
+         * Clip As Json
+         * @description The clip as a JSON file, its motion in metres, seconds and quaternions w, x, y, z.
          */
-        get: operations["download_bvh"];
+        get: operations["clip_as_json"];
         put?: never;
         post?: never;
         delete?: never;
@@ -40,7 +47,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/v1/clips/{clip_id}/download.glb": {
+    "/api/v1/clips/{clip_id}.glb": {
         parameters: {
             query?: never;
             header?: never;
@@ -48,10 +55,30 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Download Glb
-         * @description The clip as a GLB file with its figure.
+         * Clip As Glb
+         * @description The clip as a GLB file, with its figure.
          */
-        get: operations["download_glb"];
+        get: operations["clip_as_glb"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/{clip_id}.bvh": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Clip As Bvh
+         * @description The clip as a BVH file, in centimetres.
+         */
+        get: operations["clip_as_bvh"];
         put?: never;
         post?: never;
         delete?: never;
@@ -69,14 +96,14 @@ export interface paths {
         };
         /**
          * Show Clip
-         * @description One clip and the report of its import.
+         * @description The clip as `Accept` wants it: JSON, GLB or BVH. The same with `.json`, `.glb`, `.bvh`.
          */
         get: operations["show_clip"];
         put?: never;
         post?: never;
         /**
          * Delete Clip
-         * @description Delete an imported clip.
+         * @description Delete an imported or edited clip that nothing else needs.
          */
         delete: operations["delete_clip"];
         options?: never;
@@ -102,6 +129,326 @@ export interface paths {
          * @description Keep an imported clip as its report describes it.
          */
         post: operations["confirm_clip"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/{clip_id}/label": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Label Clip
+         * @description Give an imported or edited clip another name, and other tags if any are given.
+         */
+        put: operations["label_clip"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Clip
+         * @description The edited clip as GLB without a figure. Nothing is stored.
+         */
+        post: operations["preview_clip"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Check Clip
+         * @description What an edit would break, and when its feet would stand. Nothing is stored.
+         */
+        post: operations["check_clip"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/ease-off": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ease Off Clip
+         * @description The recipe, lowered as little as needed for a report without findings. Nothing is stored.
+         */
+        post: operations["ease_off_clip"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/{clip_id}/quality": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Clip Quality
+         * @description What the edit of a kept clip broke; the clip's JSON tells it from then on.
+         */
+        get: operations["clip_quality"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/{clip_id}/rebuild": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rebuild Clip
+         * @description Make an edited clip again from its recipe and compare the two motions bit by bit.
+         *
+         *     If the engine is a newer one, the clip that it makes is kept beside the old one.
+         */
+        post: operations["rebuild_clip"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/operations": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Operations
+         * @description Everything that a recipe's steps can do: units, ranges and defaults as JSON Schema.
+         */
+        get: operations["list_operations"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/operations/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Show Operation
+         * @description One operation, by name and version: `grid@1`.
+         */
+        get: operations["show_operation"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/presets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Presets
+         * @description The recipes that come with the server, each with the emotion that it is meant to show.
+         */
+        get: operations["list_presets"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/poses": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Poses
+         * @description The poses that posture offsets can be made of: stances, then those captured from clips.
+         */
+        get: operations["list_poses"];
+        put?: never;
+        /**
+         * Capture Pose
+         * @description Keep the pose of one frame of a clip. The same pose again only changes its name.
+         */
+        post: operations["capture_pose"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/poses/{pose_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Delete Pose
+         * @description Delete a captured pose that no clip was made with.
+         */
+        delete: operations["delete_pose"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/graphs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Graphs
+         * @description All motion graphs, the sample first.
+         */
+        get: operations["list_graphs"];
+        put?: never;
+        /**
+         * Create Graph
+         * @description Keep a graph of clips that have one skeleton and one frame rate.
+         */
+        post: operations["create_graph"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/graphs/preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Graph
+         * @description The transitions that a graph would have. Nothing is stored.
+         */
+        post: operations["preview_graph"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/graphs/{graph_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Show Graph
+         * @description A graph with its transitions; the sample's id is `sample`.
+         */
+        get: operations["show_graph"];
+        /**
+         * Change Graph
+         * @description Put a graph in the place of one that is there; the sample cannot be changed.
+         */
+        put: operations["change_graph"];
+        post?: never;
+        /**
+         * Delete Graph
+         * @description Delete a graph; its clips stay.
+         */
+        delete: operations["delete_graph"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/graphs/{graph_id}/play": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Play Graph
+         * @description The next piece of a walk through the graph.
+         *
+         *     The server remembers nothing: what it gives back as `after` is the place of the next request.
+         */
+        post: operations["play_graph"];
         delete?: never;
         options?: never;
         head?: never;
@@ -210,6 +557,113 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/clips/batch": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Batch
+         * @description Make up to 2000 clips. All are checked first; then a job makes them one after the other.
+         *
+         *     Ask for the job, whose address is in `Location`, to see how far it is. Clips that are in the
+         *     library already are not made again. A job outlives a restart of the server.
+         */
+        post: operations["create_batch"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/batch/plan": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Plan Batch
+         * @description The clips that sources by presets come to, with names and tags. Nothing is made.
+         */
+        post: operations["plan_batch"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sets/foerger": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Plan Foerger
+         * @description Förger's twenty modified clips, from the sample library's two neutral ones.
+         */
+        get: operations["plan_foerger"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Jobs
+         * @description The last fifty jobs, the newest first.
+         */
+        get: operations["list_jobs"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{job_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Show Job
+         * @description How far a job is, and what became of each of its clips.
+         */
+        get: operations["show_job"];
+        put?: never;
+        post?: never;
+        /**
+         * Cancel Job
+         * @description Stop a job. What it has made stays; one that has ended stays as it is.
+         */
+        delete: operations["cancel_job"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -283,6 +737,37 @@ export interface components {
             /** Sentence */
             sentence: string;
         };
+        /**
+         * Batch
+         * @description Clips to make: each one by itself, or sources by presets.
+         * @example {
+         *       "presets": [
+         *         "sad",
+         *         "angry"
+         *       ],
+         *       "sources": [
+         *         "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11"
+         *       ],
+         *       "tags": {
+         *         "set": "pilot"
+         *       }
+         *     }
+         */
+        Batch: {
+            /** Items */
+            items?: components["schemas"]["ClipRequest"][] | null;
+            /** Sources */
+            sources?: string[] | null;
+            /** Presets */
+            presets?: string[] | null;
+            /**
+             * Tags
+             * @default {}
+             */
+            tags: {
+                [key: string]: string;
+            };
+        };
         /** Body_import_motion */
         Body_import_motion: {
             /**
@@ -322,6 +807,49 @@ export interface components {
             shares: number[] | null;
         };
         /**
+         * Checked
+         * @description What an edit would give: its report, when its feet stand, duration (s) and frames.
+         */
+        Checked: {
+            /** Recipe Hash */
+            recipe_hash: string;
+            report: components["schemas"]["QualityReport"];
+            contacts: components["schemas"]["Contacts"];
+            /** Duration */
+            duration: number;
+            /** Frames */
+            frames: number;
+        };
+        /**
+         * Choice
+         * @description Every one of the sources by every one of the presets, with tags that all get.
+         * @example {
+         *       "presets": [
+         *         "sad",
+         *         "angry"
+         *       ],
+         *       "sources": [
+         *         "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11"
+         *       ],
+         *       "tags": {
+         *         "set": "pilot"
+         *       }
+         *     }
+         */
+        Choice: {
+            /** Sources */
+            sources: string[];
+            /** Presets */
+            presets: string[];
+            /**
+             * Tags
+             * @default {}
+             */
+            tags: {
+                [key: string]: string;
+            };
+        };
+        /**
          * Clip
          * @description A clip of the study.
          */
@@ -339,7 +867,11 @@ export interface components {
         };
         /**
          * ClipDetail
-         * @description A clip with the report of its import; samples have none.
+         * @description A clip with the report of its import, or with what it is made of.
+         *
+         *     Attributes:
+         *         provenance: of an edited clip.
+         *         quality: of an edited clip, once somebody has asked for it.
          * @example {
          *       "cyclic": true,
          *       "duration": 1.6,
@@ -372,7 +904,7 @@ export interface components {
              * Source
              * @enum {string}
              */
-            source: "sample" | "imported";
+            source: "sample" | "imported" | "edited";
             /**
              * State
              * @enum {string}
@@ -400,7 +932,81 @@ export interface components {
             figure_url: string | null;
             /** Page Url */
             page_url: string;
+            /** Recipe Source */
+            recipe_source: string | null;
             report: components["schemas"]["ImportReport"] | null;
+            provenance: components["schemas"]["Provenance"] | null;
+            quality: components["schemas"]["QualityReport"] | null;
+        };
+        /**
+         * ClipDocument
+         * @description A clip with its motion, which ``?motion=false`` leaves out.
+         * @example {
+         *       "cyclic": true,
+         *       "duration": 1.6,
+         *       "figure_url": "/media/7d793037a0760186574b0282f2f435e77d793037a0760186574b0282f2f435e7.glb",
+         *       "frame_time": 0.0333333,
+         *       "frames": 49,
+         *       "glb_url": "/media/5d41402abc4b2a76b9719d911017c5925d41402abc4b2a76b9719d911017c592.glb",
+         *       "id": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *       "name": "set_b_sad_slow",
+         *       "page_url": "/library/0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *       "poster_time": 0.8,
+         *       "source": "sample",
+         *       "state": "kept",
+         *       "stature": 1.74,
+         *       "tags": {
+         *         "body": "adult",
+         *         "emotion": "sad",
+         *         "set": "B",
+         *         "speed": "slow",
+         *         "synthetic": "yes"
+         *       }
+         *     }
+         */
+        ClipDocument: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /**
+             * Source
+             * @enum {string}
+             */
+            source: "sample" | "imported" | "edited";
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "kept" | "to_confirm" | "retired";
+            /** Tags */
+            tags: {
+                [key: string]: string;
+            };
+            /** Frames */
+            frames: number;
+            /** Frame Time */
+            frame_time: number;
+            /** Duration */
+            duration: number;
+            /** Cyclic */
+            cyclic: boolean;
+            /** Stature */
+            stature: number;
+            /** Poster Time */
+            poster_time: number;
+            /** Glb Url */
+            glb_url: string;
+            /** Figure Url */
+            figure_url: string | null;
+            /** Page Url */
+            page_url: string;
+            /** Recipe Source */
+            recipe_source: string | null;
+            report: components["schemas"]["ImportReport"] | null;
+            provenance: components["schemas"]["Provenance"] | null;
+            quality: components["schemas"]["QualityReport"] | null;
+            motion?: components["schemas"]["Motion"] | null;
         };
         /**
          * ClipList
@@ -409,6 +1015,36 @@ export interface components {
         ClipList: {
             /** Clips */
             clips: components["schemas"]["ClipView"][];
+        };
+        /**
+         * ClipRequest
+         * @description An edit to keep as a clip. Without a name it is called after its source.
+         * @example {
+         *       "name": "walk_sad",
+         *       "preset": "sad",
+         *       "source": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *       "tags": {
+         *         "emotion": "sad",
+         *         "made": "modified"
+         *       }
+         *     }
+         */
+        ClipRequest: {
+            /** Source */
+            source: string;
+            /** Operations */
+            operations?: components["schemas"]["Step"][] | null;
+            /** Preset */
+            preset?: string | null;
+            /** Name */
+            name?: string | null;
+            /**
+             * Tags
+             * @default {}
+             */
+            tags: {
+                [key: string]: string;
+            };
         };
         /**
          * ClipView
@@ -445,7 +1081,7 @@ export interface components {
              * Source
              * @enum {string}
              */
-            source: "sample" | "imported";
+            source: "sample" | "imported" | "edited";
             /**
              * State
              * @enum {string}
@@ -473,6 +1109,8 @@ export interface components {
             figure_url: string | null;
             /** Page Url */
             page_url: string;
+            /** Recipe Source */
+            recipe_source: string | null;
         };
         /**
          * Completion
@@ -489,6 +1127,36 @@ export interface components {
             completion_code: string;
             /** Answers */
             answers: number;
+        };
+        /**
+         * Contacts
+         * @description When each foot stands: stretches from start to end, in seconds.
+         * @example {
+         *       "left": [
+         *         [
+         *           0,
+         *           0.6
+         *         ]
+         *       ],
+         *       "right": [
+         *         [
+         *           0.5,
+         *           1.1
+         *         ]
+         *       ]
+         *     }
+         */
+        Contacts: {
+            /** Left */
+            left: [
+                number,
+                number
+            ][];
+            /** Right */
+            right: [
+                number,
+                number
+            ][];
         };
         /**
          * Counts
@@ -515,6 +1183,56 @@ export interface components {
             answers: number;
             /** Median Seconds */
             median_seconds: number | null;
+        };
+        /**
+         * EasedOff
+         * @description The recipe at the greatest share, from 0 to 1, that breaks nothing.
+         */
+        EasedOff: {
+            /** Operations */
+            operations: components["schemas"]["Step"][];
+            /** Share */
+            share: number;
+            report: components["schemas"]["QualityReport"];
+        };
+        /**
+         * Edit
+         * @description What is done to which clip: operations, or the name of a preset.
+         *
+         *     Attributes:
+         *         source: a clip's id.
+         *         preset: a name from ``GET /api/v1/presets``.
+         * @example {
+         *       "operations": [
+         *         {
+         *           "operation": "grid@1",
+         *           "parameters": {
+         *             "path": 0.4,
+         *             "timing": 1.6
+         *           }
+         *         },
+         *         {
+         *           "operation": "posture@1",
+         *           "parameters": {
+         *             "offsets": [
+         *               {
+         *                 "amount": 0.8,
+         *                 "pose": "head_down"
+         *               }
+         *             ]
+         *           }
+         *         }
+         *       ],
+         *       "source": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11"
+         *     }
+         */
+        Edit: {
+            /** Source */
+            source: string;
+            /** Operations */
+            operations?: components["schemas"]["Step"][] | null;
+            /** Preset */
+            preset?: string | null;
         };
         /**
          * ErrorDetail
@@ -545,6 +1263,239 @@ export interface components {
          */
         ErrorResponse: {
             error: components["schemas"]["ErrorDetail"];
+        };
+        /**
+         * Finding
+         * @description One thing that an edit broke, with its place in time.
+         *
+         *     Attributes:
+         *         kind: such as ``foot slip``; part: the body part.
+         *         start, end: seconds.
+         *         size: the worst value; limit: what would have been allowed; both in ``unit``.
+         * @example {
+         *       "end": 0.6,
+         *       "kind": "foot slip",
+         *       "limit": 0.005,
+         *       "part": "left foot",
+         *       "size": 0.012,
+         *       "start": 0.4,
+         *       "unit": "m"
+         *     }
+         */
+        Finding: {
+            /** Kind */
+            kind: string;
+            /** Part */
+            part: string;
+            /** Start */
+            start: number;
+            /** End */
+            end: number;
+            /** Size */
+            size: number;
+            /** Unit */
+            unit: string;
+            /** Limit */
+            limit: number;
+        };
+        /**
+         * GraphClip
+         * @description A clip of a graph; times in seconds.
+         */
+        GraphClip: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Frames */
+            frames: number;
+            /** Frame Time */
+            frame_time: number;
+            /** Cyclic */
+            cyclic: boolean;
+            /** Glb Url */
+            glb_url: string;
+            /** Figure Url */
+            figure_url: string | null;
+        };
+        /**
+         * GraphDetail
+         * @description A graph with its transitions.
+         */
+        GraphDetail: {
+            /** Clips */
+            clips: {
+                [key: string]: string;
+            };
+            /**
+             * Threshold
+             * @default 0.07
+             */
+            threshold: number;
+            /**
+             * Fade
+             * @default 0.3
+             */
+            fade: number;
+            /**
+             * Removed
+             * @default []
+             */
+            removed: components["schemas"]["TransitionKey"][];
+            /**
+             * Added
+             * @default []
+             */
+            added: components["schemas"]["TransitionKey"][];
+            /** Fade Frames */
+            fade_frames: number;
+            /** Transitions */
+            transitions: components["schemas"]["TransitionView"][];
+            /** Dead Ends */
+            dead_ends: number;
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "sample" | "own";
+            /** Members */
+            members: components["schemas"]["GraphClip"][];
+        };
+        /**
+         * GraphList
+         * @description All graphs, the sample first.
+         */
+        GraphList: {
+            /** Graphs */
+            graphs: components["schemas"]["GraphView"][];
+        };
+        /**
+         * GraphRequest
+         * @description A graph to be kept under a name.
+         * @example {
+         *       "clips": {
+         *         "walk": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11"
+         *       },
+         *       "fade": 0.3,
+         *       "name": "My walker",
+         *       "threshold": 0.07
+         *     }
+         */
+        GraphRequest: {
+            /** Clips */
+            clips: {
+                [key: string]: string;
+            };
+            /**
+             * Threshold
+             * @default 0.07
+             */
+            threshold: number;
+            /**
+             * Fade
+             * @default 0.3
+             */
+            fade: number;
+            /**
+             * Removed
+             * @default []
+             */
+            removed: components["schemas"]["TransitionKey"][];
+            /**
+             * Added
+             * @default []
+             */
+            added: components["schemas"]["TransitionKey"][];
+            /** Name */
+            name: string;
+        };
+        /**
+         * GraphShape
+         * @description What a graph is made of.
+         *
+         *     Attributes:
+         *         clips: name within the graph to the clip's id.
+         *         threshold: metres, the greatest distance of a transition that is found by itself.
+         *         fade: seconds that a cross-fade lasts.
+         *         removed: transitions that were found but are left out.
+         *         added: transitions that are there whatever their distance.
+         * @example {
+         *       "added": [],
+         *       "clips": {
+         *         "walk": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11"
+         *       },
+         *       "fade": 0.3,
+         *       "removed": [],
+         *       "threshold": 0.07
+         *     }
+         */
+        GraphShape: {
+            /** Clips */
+            clips: {
+                [key: string]: string;
+            };
+            /**
+             * Threshold
+             * @default 0.07
+             */
+            threshold: number;
+            /**
+             * Fade
+             * @default 0.3
+             */
+            fade: number;
+            /**
+             * Removed
+             * @default []
+             */
+            removed: components["schemas"]["TransitionKey"][];
+            /**
+             * Added
+             * @default []
+             */
+            added: components["schemas"]["TransitionKey"][];
+        };
+        /**
+         * GraphTransitions
+         * @description What was found between clips.
+         *
+         *     Attributes:
+         *         fade_frames: frames that a cross-fade lasts.
+         *         transitions: those that can be taken for ever.
+         *         dead_ends: how many were found but left out, because the way would end after them.
+         */
+        GraphTransitions: {
+            /** Fade Frames */
+            fade_frames: number;
+            /** Transitions */
+            transitions: components["schemas"]["TransitionView"][];
+            /** Dead Ends */
+            dead_ends: number;
+        };
+        /**
+         * GraphView
+         * @description A graph in the list. The sample comes with the server and cannot be changed, only copied.
+         */
+        GraphView: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "sample" | "own";
+            /** Clips */
+            clips: string[];
+            /** Page Url */
+            page_url: string;
+            /** Created At */
+            created_at: string | null;
         };
         /**
          * ImportOptions
@@ -653,6 +1604,203 @@ export interface components {
             already_there: boolean;
         };
         /**
+         * JobDetail
+         * @description A job with what became of each clip.
+         * @example {
+         *       "created_at": "2026-01-05T09:30:00Z",
+         *       "done": 7,
+         *       "failed": 0,
+         *       "id": "4f0f1e3a-5b7e-4a43-9d5a-6f3f1f0c2d11",
+         *       "kind": "clips",
+         *       "started_at": "2026-01-05T09:30:01Z",
+         *       "state": "running",
+         *       "total": 20
+         *     }
+         */
+        JobDetail: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Kind */
+            kind: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "waiting" | "running" | "done" | "cancelled" | "failed";
+            /** Total */
+            total: number;
+            /** Done */
+            done: number;
+            /** Failed */
+            failed: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Started At */
+            started_at: string | null;
+            /** Ended At */
+            ended_at: string | null;
+            /** Items */
+            items: components["schemas"]["JobItem"][];
+        };
+        /**
+         * JobItem
+         * @description One clip of a job, in the order asked for: made (`clip`), failed (`error`) or neither yet.
+         */
+        JobItem: {
+            /** Source */
+            source: string;
+            /** Name */
+            name: string;
+            /** Clip */
+            clip: string | null;
+            /** Error */
+            error: string | null;
+        };
+        /**
+         * JobList
+         * @description The last jobs, the newest first.
+         */
+        JobList: {
+            /** Jobs */
+            jobs: components["schemas"]["JobView"][];
+        };
+        /**
+         * JobView
+         * @description Long work and how far it is.
+         *
+         *     Attributes:
+         *         total: number of clips; done: of those that are kept; failed: of those that could not be
+         *             made. What a cancelled job has made stays.
+         * @example {
+         *       "created_at": "2026-01-05T09:30:00Z",
+         *       "done": 7,
+         *       "failed": 0,
+         *       "id": "4f0f1e3a-5b7e-4a43-9d5a-6f3f1f0c2d11",
+         *       "kind": "clips",
+         *       "started_at": "2026-01-05T09:30:01Z",
+         *       "state": "running",
+         *       "total": 20
+         *     }
+         */
+        JobView: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Kind */
+            kind: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "waiting" | "running" | "done" | "cancelled" | "failed";
+            /** Total */
+            total: number;
+            /** Done */
+            done: number;
+            /** Failed */
+            failed: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Started At */
+            started_at: string | null;
+            /** Ended At */
+            ended_at: string | null;
+        };
+        /**
+         * Label
+         * @description A clip's name, and its tags if they change as well.
+         * @example {
+         *       "name": "walk_sad",
+         *       "tags": {
+         *         "emotion": "sad"
+         *       }
+         *     }
+         */
+        Label: {
+            /** Name */
+            name: string;
+            /** Tags */
+            tags?: {
+                [key: string]: string;
+            } | null;
+        };
+        /**
+         * Manner
+         * @description How a character moves: path length and timing as in the grid, amounts of postures.
+         * @example {
+         *       "path": 1.4,
+         *       "postures": {
+         *         "head_down": 0.5
+         *       },
+         *       "timing": 1
+         *     }
+         */
+        Manner: {
+            /**
+             * Path
+             * @default 1
+             */
+            path: number;
+            /**
+             * Timing
+             * @default 1
+             */
+            timing: number;
+            /**
+             * Postures
+             * @default {}
+             */
+            postures: {
+                [key: string]: number;
+            };
+        };
+        /**
+         * Motion
+         * @description A motion in numbers: metres, seconds, local rotations as quaternions w, x, y, z.
+         *
+         *     Attributes:
+         *         parents: of each joint, −1 for the root; offsets: from the parent.
+         *         root_positions: of each frame; rotations: of each frame and joint.
+         */
+        Motion: {
+            /** Names */
+            names: string[];
+            /** Parents */
+            parents: number[];
+            /** Offsets */
+            offsets: [
+                number,
+                number,
+                number
+            ][];
+            /** Frame Time */
+            frame_time: number;
+            /** Root Positions */
+            root_positions: [
+                number,
+                number,
+                number
+            ][];
+            /** Rotations */
+            rotations: [
+                number,
+                number,
+                number,
+                number
+            ][][];
+        };
+        /**
          * Note
          * @description One line of an import report: what was repaired, or what a person should confirm.
          * @example {
@@ -672,12 +1820,233 @@ export interface components {
             offer?: string | null;
         };
         /**
+         * OperationList
+         * @description Everything that a recipe's steps can do.
+         */
+        OperationList: {
+            /** Operations */
+            operations: components["schemas"]["OperationView"][];
+        };
+        /**
+         * OperationView
+         * @description One kind of step.
+         *
+         *     Attributes:
+         *         name: as recipes write it, with its version.
+         *         parameters: JSON Schema (2020-12) with ``unit``, range and ``default`` of each.
+         * @example {
+         *       "name": "tempo@1",
+         *       "parameters": {
+         *         "$schema": "https://json-schema.org/draft/2020-12/schema",
+         *         "additionalProperties": false,
+         *         "properties": {
+         *           "factor": {
+         *             "default": 1,
+         *             "maximum": 4,
+         *             "minimum": 0.25,
+         *             "type": "number"
+         *           }
+         *         },
+         *         "type": "object"
+         *       },
+         *       "summary": "Makes the whole motion faster or slower.",
+         *       "title": "Tempo"
+         *     }
+         */
+        OperationView: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            /** Summary */
+            summary: string;
+            /** Parameters */
+            parameters: {
+                [key: string]: unknown;
+            };
+        };
+        /**
+         * Piece
+         * @description A short stretch of motion, and where it leads.
+         *
+         *     Attributes:
+         *         frames, joints: its size.
+         *         motion: base64 of little-endian float32: for each frame the root's x, y, z in metres, then
+         *             for each joint the local rotation as x, y, z, w.
+         *         after: the place after it: send it back for the next piece.
+         *         blended: the piece is one cross-fade. Of another piece, any beginning may be shown alone:
+         *             the place then is that of its start, so many frames on.
+         *         taken: the transition that it is.
+         *         ahead: the next transition on the way; wait: frames until it begins.
+         *         reaches: frames from the piece's end until the wanted clip is reached.
+         * @example {
+         *       "after": {
+         *         "clip": "stand",
+         *         "frame": 1,
+         *         "manner": {},
+         *         "turn": 0,
+         *         "x": 0,
+         *         "z": 0
+         *       },
+         *       "ahead": {
+         *         "source": "stand",
+         *         "source_frame": 30,
+         *         "target": "walk",
+         *         "target_frame": 12
+         *       },
+         *       "blended": false,
+         *       "frames": 1,
+         *       "joints": 1,
+         *       "motion": "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAACAPw==",
+         *       "reaches": 47,
+         *       "wait": 29
+         *     }
+         */
+        Piece: {
+            /** Frames */
+            frames: number;
+            /** Joints */
+            joints: number;
+            /** Motion */
+            motion: string;
+            after: components["schemas"]["Place"];
+            /** Blended */
+            blended: boolean;
+            taken: components["schemas"]["TransitionKey"] | null;
+            ahead: components["schemas"]["TransitionKey"] | null;
+            /** Wait */
+            wait: number;
+            /** Reaches */
+            reaches: number;
+        };
+        /**
+         * Place
+         * @description Where a character is: its next frame, and where on the floor that clip is played.
+         *
+         *     Attributes:
+         *         turn: radians about the vertical; x, z: metres.
+         * @example {
+         *       "clip": "stand",
+         *       "frame": 0,
+         *       "manner": {},
+         *       "turn": 0,
+         *       "x": 0,
+         *       "z": 0
+         *     }
+         */
+        Place: {
+            /** Clip */
+            clip: string;
+            /**
+             * Frame
+             * @default 0
+             */
+            frame: number;
+            /**
+             * Turn
+             * @default 0
+             */
+            turn: number;
+            /**
+             * X
+             * @default 0
+             */
+            x: number;
+            /**
+             * Z
+             * @default 0
+             */
+            z: number;
+            /**
+             * @default {
+             *       "path": 1,
+             *       "timing": 1,
+             *       "postures": {}
+             *     }
+             */
+            manner: components["schemas"]["Manner"];
+        };
+        /**
+         * Plan
+         * @description What a choice comes to, in its order.
+         */
+        Plan: {
+            /** Items */
+            items: components["schemas"]["PlannedClip"][];
+        };
+        /**
+         * PlannedClip
+         * @description A clip that a set will hold.
+         *
+         *     Attributes:
+         *         name, tags: as proposed; both may be changed before it is made.
+         *         clip: its id if the library has it already.
+         */
+        PlannedClip: {
+            /** Source */
+            source: string;
+            /** Source Name */
+            source_name: string;
+            /** Preset */
+            preset: string;
+            /** Preset Title */
+            preset_title: string;
+            /** Name */
+            name: string;
+            /** Tags */
+            tags: {
+                [key: string]: string;
+            };
+            /** Clip */
+            clip: string | null;
+        };
+        /**
+         * PlayRequest
+         * @description The next piece of motion that is wanted.
+         *
+         *     Attributes:
+         *         place: as the piece before has told it.
+         *         target: the clip that is wanted.
+         *         manner: how it shall move from now on.
+         *         frames: at the most; a cross-fade lasts as long as it does.
+         *         via: a transition to be taken when it comes, whatever the way.
+         * @example {
+         *       "frames": 18,
+         *       "manner": {},
+         *       "place": {
+         *         "clip": "stand"
+         *       },
+         *       "target": "walk"
+         *     }
+         */
+        PlayRequest: {
+            place: components["schemas"]["Place"];
+            /** Target */
+            target: string;
+            /**
+             * @default {
+             *       "path": 1,
+             *       "timing": 1,
+             *       "postures": {}
+             *     }
+             */
+            manner: components["schemas"]["Manner"];
+            /**
+             * Frames
+             * @default 18
+             */
+            frames: number;
+            via?: components["schemas"]["TransitionKey"] | null;
+        };
+        /**
          * PoleRow
          * @description One row of "Is every emotion seen?": a pole's best clip against its body's clips.
          *
          *     Attributes:
          *         mean, others: means toward the pole, of the best clip and of its comparison group.
          *         p_holm: Welch's p adjusted over all the poles.
+         *         p_permuted: of a permutation test that repeats the choice of the best clip; p_permuted_holm:
+         *             adjusted over all the poles.
          *         paired_t: over participants' means, the best clip less the mean of the group.
          */
         PoleRow: {
@@ -700,6 +2069,10 @@ export interface components {
             p: number | null;
             /** P Holm */
             p_holm: number | null;
+            /** P Permuted */
+            p_permuted: number | null;
+            /** P Permuted Holm */
+            p_permuted_holm: number | null;
             /** D */
             d: number | null;
             /** D Low */
@@ -714,6 +2087,195 @@ export interface components {
             paired_p: number | null;
             /** Sentence */
             sentence: string | null;
+        };
+        /**
+         * PoseList
+         * @description The poses that posture offsets can be made of.
+         */
+        PoseList: {
+            /** Poses */
+            poses: components["schemas"]["PoseView"][];
+        };
+        /**
+         * PoseRequest
+         * @description Which frame of which clip, counted from 0, to keep as a pose.
+         * @example {
+         *       "clip": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *       "frame": 12,
+         *       "name": "bent"
+         *     }
+         */
+        PoseRequest: {
+            /** Clip */
+            clip: string;
+            /** Frame */
+            frame: number;
+            /** Name */
+            name: string;
+        };
+        /**
+         * PoseView
+         * @description A standing pose: one that comes with the server (``stance``), or one from a clip.
+         *
+         *     Attributes:
+         *         id: what recipes call it by.
+         *         rotations: body role to rotation (w, x, y, z) in canonical axes.
+         * @example {
+         *       "clip": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *       "created_at": "2026-01-31T12:00:00Z",
+         *       "frame": 12,
+         *       "id": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+         *       "name": "bent",
+         *       "rotations": {
+         *         "head": [
+         *           0.98,
+         *           0.2,
+         *           0,
+         *           0
+         *         ]
+         *       },
+         *       "stance": false
+         *     }
+         */
+        PoseView: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Stance */
+            stance: boolean;
+            /** Clip */
+            clip: string | null;
+            /** Frame */
+            frame: number | null;
+            /** Created At */
+            created_at: string | null;
+            /** Rotations */
+            rotations: {
+                [key: string]: number[];
+            };
+        };
+        /**
+         * PresetList
+         * @description The recipes that come with the server.
+         */
+        PresetList: {
+            /** Presets */
+            presets: components["schemas"]["PresetView"][];
+        };
+        /**
+         * PresetView
+         * @description A recipe with a name and the emotion that it is meant to show.
+         * @example {
+         *       "axis": "sad_happy",
+         *       "emotion": "sad",
+         *       "name": "sad",
+         *       "operations": [
+         *         {
+         *           "operation": "grid@1",
+         *           "parameters": {
+         *             "path": 0.4,
+         *             "timing": 1.6
+         *           }
+         *         },
+         *         {
+         *           "operation": "posture@1",
+         *           "parameters": {
+         *             "offsets": [
+         *               {
+         *                 "amount": 0.8,
+         *                 "pose": "head_down"
+         *               }
+         *             ]
+         *           }
+         *         }
+         *       ],
+         *       "pole": "sad",
+         *       "summary": "Shorter paths, even speed, the head down.",
+         *       "title": "Sad"
+         *     }
+         */
+        PresetView: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            /** Summary */
+            summary: string;
+            /** Emotion */
+            emotion: string;
+            /** Axis */
+            axis: string;
+            /** Pole */
+            pole: string;
+            /** Operations */
+            operations: components["schemas"]["Step"][];
+        };
+        /**
+         * Provenance
+         * @description What an edited clip is made of.
+         *
+         *     Attributes:
+         *         source: id of the clip that was edited; source_hash: hash of its motion.
+         *         recipe: every step with all its parameters.
+         *         engine_version: of the motion library that made it; current_engine: whether that one is
+         *             still in use here.
+         *         content_hash: hash of the edited motion.
+         */
+        Provenance: {
+            /** Source */
+            source: string;
+            /** Source Name */
+            source_name: string;
+            /** Source Hash */
+            source_hash: string;
+            /** Recipe */
+            recipe: components["schemas"]["Step"][];
+            /** Recipe Hash */
+            recipe_hash: string;
+            /** Engine Version */
+            engine_version: string;
+            /** Current Engine */
+            current_engine: boolean;
+            /** Content Hash */
+            content_hash: string;
+        };
+        /**
+         * QualityReport
+         * @description Everything that an edit broke, in the order of time.
+         * @example {
+         *       "clean": false,
+         *       "findings": [
+         *         {
+         *           "end": 0.6,
+         *           "kind": "foot slip",
+         *           "limit": 0.005,
+         *           "part": "left foot",
+         *           "size": 0.012,
+         *           "start": 0.4,
+         *           "unit": "m"
+         *         }
+         *       ]
+         *     }
+         */
+        QualityReport: {
+            /** Clean */
+            clean: boolean;
+            /** Findings */
+            findings: components["schemas"]["Finding"][];
+        };
+        /**
+         * Rebuilt
+         * @description A clip made again from its recipe.
+         *
+         *     Attributes:
+         *         identical: whether the motion came out the same to the last bit.
+         *         clip: the clip of this engine: the same one, or a new one beside that of an older engine.
+         */
+        Rebuilt: {
+            /** Identical */
+            identical: boolean;
+            clip: components["schemas"]["ClipDetail"];
         };
         /**
          * ResponseView
@@ -764,6 +2326,28 @@ export interface components {
             };
             /** Next */
             next: number;
+        };
+        /**
+         * Step
+         * @description One operation of a recipe; what it takes is told by ``GET /api/v1/operations``.
+         * @example {
+         *       "operation": "grid@1",
+         *       "parameters": {
+         *         "path": 0.4,
+         *         "timing": 1.6
+         *       }
+         *     }
+         */
+        Step: {
+            /** Operation */
+            operation: string;
+            /**
+             * Parameters
+             * @default {}
+             */
+            parameters: {
+                [key: string]: unknown;
+            };
         };
         /**
          * StudyResults
@@ -822,6 +2406,55 @@ export interface components {
             comment_label: string;
             /** Comment Placeholder */
             comment_placeholder: string;
+        };
+        /**
+         * TransitionKey
+         * @description What tells a transition from the others of its graph; frames are counted from 0.
+         * @example {
+         *       "source": "stand",
+         *       "source_frame": 30,
+         *       "target": "walk",
+         *       "target_frame": 12
+         *     }
+         */
+        TransitionKey: {
+            /** Source */
+            source: string;
+            /** Source Frame */
+            source_frame: number;
+            /** Target */
+            target: string;
+            /** Target Frame */
+            target_frame: number;
+        };
+        /**
+         * TransitionView
+         * @description A transition; distance in metres, turn in radians about the vertical.
+         * @example {
+         *       "added": false,
+         *       "distance": 0.021,
+         *       "source": "stand",
+         *       "source_frame": 30,
+         *       "target": "walk",
+         *       "target_frame": 12,
+         *       "turn": 0.4
+         *     }
+         */
+        TransitionView: {
+            /** Source */
+            source: string;
+            /** Source Frame */
+            source_frame: number;
+            /** Target */
+            target: string;
+            /** Target Frame */
+            target_frame: number;
+            /** Distance */
+            distance: number;
+            /** Turn */
+            turn: number;
+            /** Added */
+            added: boolean;
         };
         /**
          * TrialView
@@ -902,7 +2535,7 @@ export interface operations {
                     "application/json": components["schemas"]["ClipList"];
                 };
             };
-            /** @description A researcher must sign in first */
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -911,7 +2544,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -958,25 +2591,38 @@ export interface operations {
             };
         };
     };
-    download_bvh: {
+    create_clip: {
         parameters: {
             query?: never;
             header?: never;
-            path: {
-                clip_id: string;
-            };
+            path?: never;
             cookie?: never;
         };
-        requestBody?: never;
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ClipRequest"];
+            };
+        };
         responses: {
-            /** @description Successful Response */
+            /** @description OK */
             200: {
                 headers: {
                     [name: string]: unknown;
                 };
-                content?: never;
+                content: {
+                    "application/json": components["schemas"]["ClipDetail"];
+                };
             };
-            /** @description A researcher must sign in first */
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ClipDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -985,7 +2631,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1023,6 +2669,15 @@ export interface operations {
             };
             /** @description Does not make sense */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1032,9 +2687,12 @@ export interface operations {
             };
         };
     };
-    download_glb: {
+    clip_as_json: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description The motion as well */
+                motion?: boolean;
+            };
             header?: never;
             path: {
                 clip_id: string;
@@ -1043,14 +2701,30 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The clip */
             200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ClipDocument"];
+                };
+            };
+            /** @description The part that was asked for */
+            206: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description A researcher must sign in first */
+            /** @description What the client has is what there is */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1059,7 +2733,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1095,8 +2769,245 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
+            /** @description The file has no such part */
+            416: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
             /** @description Does not make sense */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    clip_as_glb: {
+        parameters: {
+            query?: {
+                /** @description The figure as well */
+                figure?: boolean;
+            };
+            header?: never;
+            path: {
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The clip */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": string;
+                };
+            };
+            /** @description The part that was asked for */
+            206: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description What the client has is what there is */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The file has no such part */
+            416: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    clip_as_bvh: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The clip */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/x-bvh": string;
+                };
+            };
+            /** @description The part that was asked for */
+            206: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description What the client has is what there is */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The file has no such part */
+            416: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1108,7 +3019,12 @@ export interface operations {
     };
     show_clip: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description The motion as well */
+                motion?: boolean;
+                /** @description The figure as well */
+                figure?: boolean;
+            };
             header?: never;
             path: {
                 clip_id: string;
@@ -1117,16 +3033,32 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The clip */
             200: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ClipDetail"];
+                    "model/gltf-binary": string;
+                    "text/x-bvh": string;
+                    "application/json": components["schemas"]["ClipDocument"];
                 };
             };
-            /** @description A researcher must sign in first */
+            /** @description The part that was asked for */
+            206: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description What the client has is what there is */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1135,7 +3067,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1171,8 +3103,26 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
+            /** @description The file has no such part */
+            416: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
             /** @description Does not make sense */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1200,7 +3150,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description A researcher must sign in first */
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1209,7 +3159,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1280,7 +3230,7 @@ export interface operations {
                     "application/json": components["schemas"]["Imported"];
                 };
             };
-            /** @description A researcher must sign in first */
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1289,7 +3239,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1356,7 +3306,7 @@ export interface operations {
                     "application/json": components["schemas"]["ClipDetail"];
                 };
             };
-            /** @description A researcher must sign in first */
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1365,7 +3315,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1412,6 +3362,1581 @@ export interface operations {
             };
         };
     };
+    label_clip: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Label"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ClipDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    preview_clip: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Edit"];
+            };
+        };
+        responses: {
+            /** @description The edited clip without a figure */
+            200: {
+                headers: {
+                    /** @description Recipe's hash */
+                    "X-Manner-Recipe"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": string;
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    check_clip: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Edit"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Checked"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    ease_off_clip: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Edit"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EasedOff"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    clip_quality: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Checked"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    rebuild_clip: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Rebuilt"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_operations: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OperationList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    show_operation: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OperationView"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_presets: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PresetList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_poses: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PoseList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    capture_pose: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PoseRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PoseView"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    delete_pose: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pose_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_graphs: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GraphList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    create_graph: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GraphRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GraphDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    preview_graph: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GraphShape"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GraphTransitions"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    show_graph: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                graph_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GraphDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    change_graph: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                graph_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GraphRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GraphDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    delete_graph: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                graph_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    play_graph: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                graph_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PlayRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Piece"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
     import_motion: {
         parameters: {
             query?: never;
@@ -1434,7 +4959,7 @@ export interface operations {
                     "application/json": components["schemas"]["Imported"];
                 };
             };
-            /** @description A researcher must sign in first */
+            /** @description Needs an API key, or a signed-in researcher */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1443,7 +4968,7 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description The request lacks its token against forgery */
+            /** @description The API key may only read, or the request lacks its token against forgery */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1674,6 +5199,462 @@ export interface operations {
             };
             /** @description There is no such study. */
             404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    create_batch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Batch"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    plan_batch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Choice"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Plan"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    plan_foerger: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Plan"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_jobs: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    show_job: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                job_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    cancel_job: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                job_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -3,7 +3,8 @@ import { caption, counted, filtersOf, find, framesPerSecond, type Clip } from ".
 
 const clip = (name: string, tags: Record<string, string>, more: Partial<Clip> = {}): Clip => ({
   id: name, name, tags, source: "sample", state: "kept", frames: 31, frame_time: 1 / 30, duration: 1,
-  cyclic: true, stature: 1.6, poster_time: 0, glb_url: "", figure_url: "", page_url: "", ...more,
+  cyclic: true, stature: 1.6, poster_time: 0, glb_url: "", figure_url: "", page_url: "", recipe_source: null,
+  ...more,
 });
 const clips = [
   clip("walk_a", { set: "A", style: "proud", body: "adult" }),
@@ -11,11 +12,13 @@ const clips = [
   clip("acted_c", { set: "acted", emotion: "sad", body: "female" }),
   clip("bow", { set: "gesture", body: "adult" }),
   clip("mine", {}, { source: "imported", state: "to_confirm" }),
+  clip("walk_b_softer", { emotion: "relaxed" }, { source: "edited", recipe_source: "walk_b" }),
 ];
 
 test("filters count every clip once under All and leave empty families out", () => {
   expect(filtersOf(clips).map(({ label, count }) => [label, count])).toEqual([
-    ["All", 5], ["Styles", 1], ["Emotions", 1], ["Acted", 1], ["Gestures", 1], ["Imported", 1],
+    ["All", 6], ["Styles", 1], ["Emotions", 1], ["Acted", 1], ["Gestures", 1], ["Imported", 1],
+    ["Edited", 1],
   ]);
   expect(filtersOf(clips.slice(0, 1)).map(({ label }) => label)).toEqual(["All", "Styles"]);
 });
@@ -36,6 +39,7 @@ test("a caption says what is shown, and leaves the ordinary speed out", () => {
   expect(caption(clip("x", { set: "B", emotion: "angry", speed: "normal" }))).toBe("angry · 1.0 s");
   expect(caption(clips[2]!)).toBe("sad · female · 1.0 s");
   expect(caption(clips[4]!)).toBe("1.0 s");
+  expect(caption(clips[5]!)).toBe("relaxed · edited · 1.0 s");
 });
 
 test("frame rates that are nearly whole are said whole", () => {

@@ -20,6 +20,7 @@ const FAMILIES: [id: string, label: string, has: (clip: Clip) => boolean][] = [
   ["acted", "Acted", (clip) => clip.tags.set === "acted"],
   ["gestures", "Gestures", (clip) => clip.tags.set === "gesture"],
   ["imported", "Imported", (clip) => clip.source === "imported"],
+  ["edited", "Edited", (clip) => clip.source === "edited"],
 ];
 
 /** "All" and every family that has a clip, each with its count. */
@@ -43,7 +44,8 @@ export function find(clips: readonly Clip[], family: string, query: string): Cli
 export function caption(clip: Clip): string {
   const { emotion, style, speed, body } = clip.tags;
   const actor = clip.tags.set === "acted" ? body : undefined;
-  const shown = [emotion ?? style, speed === "normal" ? undefined : speed, actor];
+  const edited = clip.source === "edited" ? "edited" : undefined;
+  const shown = [emotion ?? style, speed === "normal" ? undefined : speed, actor, edited];
   return [...shown.filter(Boolean), seconds(clip.duration)].join(" · ");
 }
 
