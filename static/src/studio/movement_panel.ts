@@ -49,7 +49,8 @@ function presets(session: Session, all: Preset[]): TemplateResult {
   return html`<section><header><h2>Preset</h2><span class="tiny">a starting point</span></header>
     <div class="chips" role="group" aria-label="Presets">${all.slice(0, ROWS).map(chip)}</div>
     ${all.length > ROWS
-      ? html`<h3 class="label">His proposals</h3><div class="chips" role="group" aria-label="Proposed presets">${all.slice(ROWS).map(chip)}</div>`
+      ? html`<details class="proposals" ?open=${all.slice(ROWS).some(({ name }) => name === session.preset)}><summary>His proposals</summary>
+          <div class="chips" role="group" aria-label="Proposed presets">${all.slice(ROWS).map(chip)}</div></details>`
       : nothing}</section>`;
 }
 
@@ -57,13 +58,13 @@ function postures(session: Session, poses: Pose[], { capture }: MovementActs): T
   const amounts = postureOf(session.steps);
   const known = poses.filter(({ id }) => id !== "neutral");
   const unknown = [...amounts.keys()].filter((id) => known.every((pose) => pose.id !== id));
-  const all = [...known, ...unknown.map((id) => ({ id, name: id.slice(0, 8) }))];
+  const all = [...known, ...unknown.map((id) => ({ id, name: id.slice(0, 8), stance: false }))];
   return html`<section><header><h2>Posture</h2>
       ${resetButton("all postures", amounts.size > 0, () => session.change(put(session.steps, POSTURE, null), "postures"))}</header>
-    ${all.map(({ id, name }) => {
+    ${all.map(({ id, name, stance }) => {
       const value = amounts.get(id) ?? 0;
       return amountSlider(
-        { label: SHORT[id] ?? inWords(name), value, min: value < -1 ? -2 : -1, max: 2, step: 0.01, neutral: 0 },
+        { label: SHORT[id] ?? inWords(stance ? id : name), value, min: value < -1 ? -2 : -1, max: 2, step: 0.01, neutral: 0 },
         (amount) => session.change(withPosture(session.steps, id, amount), `posture ${id}`),
       );
     })}

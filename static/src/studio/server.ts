@@ -32,6 +32,8 @@ export interface Preset {
 export interface Pose {
   id: string;
   name: string;
+  /** It comes with the server. */
+  stance: boolean;
 }
 
 export interface Checked {
