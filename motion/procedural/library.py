@@ -24,7 +24,7 @@ class SampleClip:
 
 
 def sample_clips() -> Iterator[SampleClip]:
-    """Sets A (10 walking styles), B (9 affects × 3 speeds), acted (2 bodies × 10), a bow, and the graph's."""
+    """Sets A (10 walking styles), B (9 affects × 3 speeds), acted (2 bodies × 10), bow, graph."""
     yield from set_a()
     yield from set_b()
     yield from acted()
