@@ -138,7 +138,7 @@ _AMOUNT = Number(
 POSTURE = operation(
     "posture@1",
     "Posture",
-    "Adds to every frame what standing poses differ from the neutral one.",
+    "Adds to every frame that by which a standing pose differs from the neutral one.",
     {
         "offsets": ListOf(
             title="Offsets",

@@ -113,7 +113,7 @@ CONTACTS = operation(
     {
         "amount": Number(
             title="Amount",
-            description="0 none, 1 clearly, 2 strongly.",
+            description="0 none; 1 doubles the time before a contact and halves it at its end.",
             minimum=0.0,
             maximum=2.0,
             default=1.0,
