@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import binary_propagation
+from scipy.ndimage import binary_propagation, gaussian_filter1d
 
 from motion.clip import Clip
 from motion.errors import MotionError
@@ -22,6 +22,8 @@ _SPAN = 0.1  # s: how long a foot rests at least when it is looked for at rest
 # A contact point stands around a moment at which it is below the strict share of both limits, for
 # as long as it stays below the limits (hysteresis). Height in leg lengths, speed in those a second.
 _LOW, _SLOW, _STRICT = 0.045, 0.25, 0.6
+_AT_REST = 0.1  # of both limits
+_STEADY = 0.015  # s, standard deviation of the smoothing of its velocity
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,8 +51,8 @@ class Foot:
         side: left or right.
         thigh, shin, ankle: joints of the leg.
         points: heel and ball; for a foot without toes, its one point.
-        planted: (P, T) whether the foot stands on that point: it is low and slow, and the slowest
-            of the foot's points.
+        planted: (P, T) whether the foot stands on that point: it is low and slow, and at rest or
+            the slowest of the foot's points.
     """
 
     side: str
@@ -107,6 +109,7 @@ def _find_foot(clip: Clip, pose: WorldPose, side: str) -> Foot:
     level = np.array([_motion_level(p.positions(pose), clip, side) for p in points])
     stands = np.array([binary_propagation(row < _STRICT, mask=row < 1.0) for row in level])
     slowest = np.where(stands, level, np.inf).argmin(axis=0) == np.arange(len(points))[:, None]
+    slowest |= level < _AT_REST  # heel and ball both, instead of either by chance
     return Foot(
         side, roles[f"{side}_thigh"], roles[f"{side}_shin"], ankle, points, stands & slowest
     )
@@ -138,5 +141,8 @@ def _motion_level(positions: Array, clip: Clip, side: str) -> Array:
     if len(positions) < 3:
         return np.zeros(len(positions))
     leg = leg_length(clip, side)
-    speed = np.linalg.norm(np.gradient(positions, clip.frame_time, axis=0), axis=1)
+    velocity = np.gradient(positions, clip.frame_time, axis=0)
+    # A recording's jitter, which grows with its rate, is no motion of the foot.
+    velocity = gaussian_filter1d(velocity, _STEADY / clip.frame_time, axis=0, mode="nearest")
+    speed = np.linalg.norm(velocity, axis=1)
     return np.maximum(speed / (_SLOW * leg), positions[:, 1] / (_LOW * leg))

@@ -13,9 +13,14 @@ from motion.errors import MotionError
 
 Array = NDArray[np.float64]
 
+_WHOLE = 0.05  # of a frame: files round their frame time, and nobody misses that much
+
 
 def change_tempo(clip: Clip, factor: float) -> Clip:
-    """The clip in 1/factor of its time, at the same frame rate and to the nearest whole frame.
+    """The clip in 1/factor of its time, at the same frame rate.
+
+    What is left of it after its last whole frame falls away; a cycle is kept whole, to which end
+    it becomes longer or shorter by at most half a frame.
 
     Args:
         clip: any clip; a cyclic one stays cyclic.
@@ -28,15 +33,14 @@ def change_tempo(clip: Clip, factor: float) -> Clip:
         raise MotionError(f"A tempo of {factor:g} is not possible: it must be above 0.")
     if factor == 1.0 or clip.frames < 2:
         return clip
-    last = clip.frames - 1
-    return at_frames(clip, np.linspace(0.0, last, max(1, round(last / factor)) + 1))
+    return at_frames(clip, _every(clip, factor))
 
 
 def resample_rate(clip: Clip, rate: float) -> Clip:
     """The same motion with so many frames a second.
 
-    What is left of a clip after its last whole frame falls away; a cycle is kept whole, to which
-    end it becomes longer or shorter by at most half a frame.
+    What is left of it after its last whole frame falls away; a cycle is kept whole, to which end
+    it becomes longer or shorter by at most half a frame.
 
     Args:
         clip: any clip; a cyclic one stays cyclic.
@@ -47,14 +51,18 @@ def resample_rate(clip: Clip, rate: float) -> Clip:
     """
     if not (np.isfinite(rate) and rate > 0.0):
         raise MotionError(f"A frame rate of {rate:g} is not possible: it must be above 0.")
-    if clip.frames < 2 or np.isclose(rate * clip.frame_time, 1.0, rtol=1e-9):
-        return replace(clip, frame_time=1.0 / rate)
-    frames = clip.duration * rate
+    wanted = 1.0 / rate
+    if clip.frames < 2 or np.isclose(wanted, clip.frame_time, rtol=1e-9):
+        return replace(clip, frame_time=wanted)
+    return replace(at_frames(clip, _every(clip, wanted / clip.frame_time)), frame_time=wanted)
+
+
+def _every(clip: Clip, step: float) -> Array:
+    """Fractional frames so far apart; a cycle's from end to end, as near to that as they can."""
+    last = clip.frames - 1
     if clip.cyclic:
-        at = np.linspace(0.0, clip.frames - 1, max(1, round(frames)) + 1)
-    else:
-        at = np.arange(int(frames + 1e-6) + 1) / (rate * clip.frame_time)
-    return replace(at_frames(clip, np.minimum(at, clip.frames - 1)), frame_time=1.0 / rate)
+        return np.linspace(0.0, last, max(1, round(last / step)) + 1)
+    return np.minimum(np.arange(int(last / step + _WHOLE) + 1) * step, last)
 
 
 def cut(clip: Clip, start: float, end: float) -> Clip:

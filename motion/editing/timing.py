@@ -13,8 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
-from scipy.ndimage import gaussian_filter1d
-from scipy.signal import argrelmin
+from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
 from motion.clip import Clip
 from motion.editing.limbs import LIMBS, Limb, end_relative_to_hips, find_limbs, is_locomoting
@@ -25,9 +24,10 @@ Array = NDArray[np.float64]
 
 EVEN, ADDED = "even", "added"
 SEGMENT = {EVEN: 1.5, ADDED: 1.0}  # s: a stretch that keeps its length, so that limbs stay together
+_RATE = 100.0  # Hz at which limbs are looked at, as in the thesis
 _CUTOFF = 12.5  # Hz: speeds above are the recording's noise
 _PAUSE = 0.12  # of a segment's high speed: slower than this is a pause
-_SET = 0.15  # s: at most one added pause in this time
+_SET = 0.15  # s: an added pause lies between fast moments on both sides in this time
 _LONGER = 10.0  # times: how much longer an added pause lasts
 _CLEARLY = 0.25  # of the segment's high speed: what a pause's surroundings must reach
 _FASTEST = 0.05  # of the mean duration: no frame gets less, or its motion would be skipped
@@ -66,28 +66,38 @@ def change_timing(clip: Clip, timing: Timing) -> Clip:
 
 
 def limb_warp(clip: Clip, pose: WorldPose, limb: Limb, timing: Timing) -> Array:
-    """Which frame (T,), fractional, of the clip a limb shows in each frame."""
-    speed = limb_speed(clip, pose, limb)
+    """Which frame (T,), fractional, of the clip a limb shows in each frame.
+
+    It is worked out at one rate for all clips, so that pauses are found where they are at any.
+    """
+    last = clip.frames - 1
+    count = max(3, round(clip.duration * _RATE))
+    fine = np.linspace(0.0, last, count + 1)
+    step = clip.duration / count
+    speed = _speed(smooth_path(end_relative_to_hips(clip, pose, limb), fine), step)
     durations = np.empty_like(speed)
     longest = SEGMENT[timing.kind] if timing.segment is None else timing.segment
-    for segment in _segments(len(speed), clip.frame_time, longest):
+    for segment in _segments(count, step, longest):
         part = speed[segment]
-        new = _even(part) if timing.kind == EVEN else _added(part, clip.frame_time)
+        new = _even(part) if timing.kind == EVEN else _added(part, step)
         new = (new / new.mean()) ** timing.amount
         durations[segment] = new * (len(part) / new.sum())
     shown_at = np.concatenate([[0.0], np.cumsum(durations)])
-    shown_at[-1] = len(speed)
-    return np.interp(np.arange(clip.frames), shown_at, np.arange(clip.frames))
+    shown_at[-1] = count
+    return np.interp(np.arange(clip.frames), shown_at * (last / count), fine)
 
 
 def limb_speed(clip: Clip, pose: WorldPose, limb: Limb) -> Array:
     """Speed (T − 1,) of a limb's end relative to the hips, m/s, low-passed at 12.5 Hz."""
-    way = np.diff(end_relative_to_hips(clip, pose, limb), axis=0)
-    # A Gaussian whose amplitude falls to 1/√2 at the cut-off; it never overshoots below zero.
-    deviation = np.sqrt(np.log(2.0)) / (2.0 * np.pi * _CUTOFF) / clip.frame_time
-    return gaussian_filter1d(
-        np.linalg.norm(way, axis=1) / clip.frame_time, deviation, mode="nearest"
-    )
+    return _speed(end_relative_to_hips(clip, pose, limb), clip.frame_time)
+
+
+def _speed(path: Array, step: float) -> Array:
+    # The velocity is low-passed, not its magnitude, in which noise would add up. A Gaussian, whose
+    # amplitude falls to 1/√2 at the cut-off, has no overshoot.
+    deviation = np.sqrt(np.log(2.0)) / (2.0 * np.pi * _CUTOFF) / step
+    velocity = np.diff(path, axis=0) / step
+    return np.linalg.norm(gaussian_filter1d(velocity, deviation, axis=0, mode="nearest"), axis=1)
 
 
 def resample(rotations: Array, frames: Array, *, cyclic: bool = False) -> Array:
@@ -133,23 +143,20 @@ def _even(speed: Array) -> Array:
     return np.maximum(durations, _FASTEST * durations.mean())
 
 
-def _added(speed: Array, frame_time: float) -> Array:
-    """Durations ten times as long around each slow moment between fast ones."""
-    durations = np.ones_like(speed)
-    high = np.quantile(speed, 0.95)
-    half = max(1, round(_SET / frame_time / 2.0))
-    for moment in _pauses(speed, half):
-        around = slice(max(0, moment - half), moment + half + 1)
-        if speed[around].max() > _CLEARLY * high > 0.0:
-            durations[around] = _LONGER
-    return durations
+def _added(speed: Array, step: float) -> Array:
+    """Durations ten times as long around each slow moment between fast ones.
 
-
-def _pauses(speed: Array, half: int) -> Iterator[int]:
-    """Local minima, at most one in a set, the slowest first."""
-    taken = np.zeros(len(speed), dtype=bool)
-    minima = argrelmin(speed, order=half)[0]
-    for moment in minima[np.argsort(speed[minima], kind="stable")]:
-        if not taken[max(0, moment - half) : moment + half + 1].any():
-            taken[max(0, moment - half) : moment + half + 1] = True
-            yield int(moment)
+    How slow it is shows against what is reached within a set on both sides, whichever is less; so
+    a stretch that stays slow for longer has no such moment. Nothing is decided by a threshold that
+    a small difference could pass.
+    """
+    reach = max(1, round(_SET / step))
+    # One-sided windows: the farther end of a window of reach + 1 frames.
+    before, after = (
+        maximum_filter1d(speed, reach + 1, mode="nearest", origin=side * (reach // 2))
+        for side in (1, -1)
+    )
+    around = np.minimum(before, after)
+    depth = 1.0 - speed / np.maximum(around, 1e-12)
+    clearly = np.clip(around / (_CLEARLY * max(float(np.quantile(speed, 0.95)), 1e-12)) - 0.5, 0, 1)
+    return 1.0 + (_LONGER - 1.0) * depth * clearly

@@ -18,6 +18,7 @@ from motion.rotations import from_directions, to_directions
 Array = NDArray[np.float64]
 
 _STEP = 0.4  # s between two drawn values; what lies between goes over smoothly
+_RATE = 200.0  # Hz at which the rhythm is worked out, whatever the clip's own rate
 _PACE = np.log(2.5)  # of the pace, at full rhythm and the most extreme draw
 
 
@@ -36,29 +37,37 @@ def vary(clip: Clip, path: float, rhythm: float, rng: Generator) -> Clip:
         return clip
     gain, pace = _random_curves(clip, rng)
     if rhythm != 0.0:
-        lasting = np.exp(-rhythm * _PACE * (pace[1:] + pace[:-1]) / 2.0)
-        shown_at = np.concatenate([[0.0], np.cumsum(lasting)]) * (clip.frames - 1) / lasting.sum()
-        frames = np.arange(clip.frames)
-        clip = at_frames(clip, np.interp(frames, shown_at / shown_at[-1] * frames[-1], frames))
+        clip = at_frames(clip, _in_rhythm(clip, rhythm, pace))
     if path == 0.0:
         return clip
     # Filtering is linear in the gain, so one filtered clip serves every gain in between.
     twice = change_path_length(clip, PathLength(2.0, high_gain=1.0))
     before = to_directions(clip.rotations)
     change = to_directions(twice.rotations) - before
-    varied = from_directions(before + path * gain[:, None, None] * change)
+    gains = gain(np.arange(clip.frames) * clip.frame_time)
+    varied = from_directions(before + path * gains[:, None, None] * change)
     return repair_feet(clip, replace(clip, rotations=varied))
 
 
-def _random_curves(clip: Clip, rng: Generator) -> tuple[Array, Array]:
-    """Two smooth curves (T,) in [−1, 1]: cubic B-splines over draws that lie evenly in time."""
-    pieces = max(1, round(clip.duration / _STEP))
-    step = clip.duration / pieces if clip.cyclic else _STEP
-    if not clip.cyclic:
-        pieces = int(np.ceil(clip.duration / step + 0.5))
+def _in_rhythm(clip: Clip, rhythm: float, pace: BSpline) -> Array:
+    """Which frame (T,), fractional, is shown when."""
+    count = max(2, round(clip.duration * _RATE))
+    middles = (np.arange(count) + 0.5) * (clip.duration / count)
+    shown_at = np.concatenate([[0.0], np.cumsum(np.exp(-rhythm * _PACE * pace(middles)))])
+    last = clip.frames - 1
+    frames = np.linspace(0.0, last, count + 1)
+    return np.interp(np.arange(clip.frames), shown_at * (last / shown_at[-1]), frames)
+
+
+def _random_curves(clip: Clip, rng: Generator) -> tuple[BSpline, BSpline]:
+    """Two smooth curves over seconds in [−1, 1]: cubic B-splines over evenly timed draws."""
+    pieces = int(np.ceil(clip.duration / _STEP + 0.5))
+    step = _STEP
+    if clip.cyclic:
+        pieces = max(1, round(clip.duration / _STEP))
+        step = clip.duration / pieces
     draws = rng.uniform(-1.0, 1.0, (pieces + 3, 2))
     if clip.cyclic:
         draws = draws[np.arange(pieces + 3) % pieces]
     knots = step * np.arange(-3, pieces + 4)
-    curves = BSpline(knots, draws, 3)(np.arange(clip.frames) * clip.frame_time)
-    return curves[:, 0], curves[:, 1]
+    return BSpline(knots, draws[:, 0], 3), BSpline(knots, draws[:, 1], 3)

@@ -55,20 +55,26 @@ class SoftLimit:
         return -soft_limit(-above, float(-low), float(soft))
 
 
-def shape(clip: Clip, limits: Sequence[SoftLimit], amount: float = 1.0) -> Clip:
+def shape(
+    clip: Clip,
+    limits: Sequence[SoftLimit],
+    amount: float = 1.0,
+    standing: Standing | None = None,
+) -> Clip:
     """The clip with joint angles passed through soft limits.
 
     Args:
         clip: a clip whose skeleton has body roles.
         limits: each applied to what the ones before have left.
         amount: 0 leaves the clip, 1 keeps the limits; more goes farther than they ask.
+        standing: of the motion before other edits, where it is known; None finds it in the clip.
 
     Raises:
         MotionError: if no joint has a limit's role.
     """
     if amount == 0.0 or not limits:
         return clip
-    standing = Standing.of(clip)
+    standing = standing or Standing.of(clip)
     rotations = clip.rotations.copy()
     for limit in limits:
         if limit.role not in clip.skeleton.roles:
