@@ -38,10 +38,13 @@ class Context:
 
     Attributes:
         materials: poses and clips.
-        unedited: the motion that the recipe began with, in the time of this step.
+        source: the clip that the recipe began with. It tells how the body stands: one that was
+            bowed by a step before would be taken for one that looks straight ahead.
+        unedited: the source in the time of this step.
     """
 
     materials: Materials
+    source: Clip
     unedited: Callable[[], Clip]
 
 

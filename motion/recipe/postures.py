@@ -34,7 +34,7 @@ def _posture(clip: Clip, context: Context, *, offsets: list[dict[str, Any]]) -> 
         for entry in offsets
         if entry["amount"] != 0.0
     ]
-    edited = add_posture(clip, amounts)
+    edited = add_posture(clip, amounts, Standing.of(context.source))
     moved = {r for offset, _ in amounts for r, change in offset.directions.items() if change.any()}
     return standing_again(clip, edited) if moves_feet(moved) else edited
 
@@ -44,7 +44,7 @@ def _warp(
 ) -> Clip:
     if amount == 0.0 or not keyframes:
         return clip
-    standing = Standing.of(clip)
+    standing = Standing.of(context.source)
     keys = [_keyframe(clip, standing, context, entry) for entry in keyframes]
     bent = warp_poses(clip, [replace(key, root=None) for key in keys], amount, reach=reach)
     turned = {joint for key in keys for joint in key.rotations}
@@ -87,10 +87,13 @@ def _keyframe(clip: Clip, standing: Standing, context: Context, entry: dict[str,
     return Keyframe(frame, rotations, np.array([entry[name] for name in ("left", "up", "forward")]))
 
 
-def _waveshape(clip: Clip, _: Context, *, limits: list[dict[str, Any]], amount: float) -> Clip:
+def _waveshape(
+    clip: Clip, context: Context, *, limits: list[dict[str, Any]], amount: float
+) -> Clip:
     if amount == 0.0:
         return clip
-    edited = shape(clip, [SoftLimit(**limit) for limit in limits], amount)
+    curves = [SoftLimit(**limit) for limit in limits]
+    edited = shape(clip, curves, amount, Standing.of(context.source))
     return standing_again(clip, edited) if moves_feet(e["role"] for e in limits) else edited
 
 

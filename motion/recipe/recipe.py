@@ -124,7 +124,7 @@ class Recipe:
         clip = source
         for place, step in enumerate(self.steps):
             before = Recipe(self.steps[:place])
-            context = Context(materials, partial(before.unedited, source, materials))
+            context = Context(materials, source, partial(before.unedited, source, materials))
             with _told_where(place, step):
                 clip = step.operation.apply(clip, step.parameters, context)
         return clip
@@ -136,7 +136,7 @@ class Recipe:
             RecipeError: as ``apply``.
         """
         self._check_supplied(materials)
-        context = Context(materials, lambda: source)
+        context = Context(materials, source, lambda: source)
         clip = source
         for place, step in enumerate(self.steps):
             if step.operation.follow is not None:

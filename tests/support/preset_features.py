@@ -18,23 +18,27 @@ _ENDS = (*_HANDS, "left_foot", "right_foot", "head")
 _SMOOTH = 0.02  # s: the noise of single frames is no jerk
 
 
-def measure(clip: Clip) -> dict[str, float]:
-    """Every feature of a clip by name."""
-    pose = forward_kinematics(clip)
-    return {name: feature.of(clip, pose) for name, feature in FEATURES.items()}
+def measure(clip: Clip, before: Clip | None = None) -> dict[str, float]:
+    """Every feature of a clip by name.
+
+    ``before``, the clip from which it was made, tells how the body stands: an edit that bows the
+    head would otherwise be taken for the way in which the head is built.
+    """
+    pose, stance = forward_kinematics(clip), standing_rotations(before or clip)
+    return {name: feature.of(clip, pose, stance) for name, feature in FEATURES.items()}
 
 
-def _hands_path(clip: Clip, pose: WorldPose) -> float:
+def _hands_path(clip: Clip, pose: WorldPose, _: np.ndarray) -> float:
     """Way of both hands relative to the hips, m."""
     return float(sum(_steps(clip, pose, role).sum() for role in _HANDS))
 
 
-def _mean_speed(clip: Clip, pose: WorldPose) -> float:
+def _mean_speed(clip: Clip, pose: WorldPose, _: np.ndarray) -> float:
     """Of hands, feet and head relative to the hips, m/s."""
     return float(np.mean([_steps(clip, pose, role) for role in _ENDS]) / clip.frame_time)
 
 
-def _unevenness(clip: Clip, pose: WorldPose) -> float:
+def _unevenness(clip: Clip, pose: WorldPose, _: np.ndarray) -> float:
     """Standard deviation of the hands' speed in units of its mean, where they move."""
     found = []
     for role in _HANDS:
@@ -44,7 +48,7 @@ def _unevenness(clip: Clip, pose: WorldPose) -> float:
     return float(np.mean(found))
 
 
-def _jerk(clip: Clip, pose: WorldPose) -> float:
+def _jerk(clip: Clip, pose: WorldPose, _: np.ndarray) -> float:
     """Root mean square of the third derivative of the same paths, m/s³."""
     paths = np.stack([_relative(clip, pose, role) for role in _ENDS], axis=1)
     smooth = gaussian_filter1d(paths, _SMOOTH / clip.frame_time, axis=0, mode="nearest")
@@ -52,15 +56,15 @@ def _jerk(clip: Clip, pose: WorldPose) -> float:
     return float(np.sqrt(np.mean(np.sum(third**2, axis=-1))))
 
 
-def _head_pitch(clip: Clip, pose: WorldPose) -> float:
+def _head_pitch(clip: Clip, pose: WorldPose, stance: np.ndarray) -> float:
     """How far the nose points down, ° on the mean."""
     head = clip.skeleton.roles["head"]
-    nose = rotate(conjugate(standing_rotations(clip)[head]), np.array([0.0, 0.0, 1.0]))
+    nose = rotate(conjugate(stance[head]), np.array([0.0, 0.0, 1.0]))
     gaze = rotate(pose.rotations[:, head], nose)
     return float(np.degrees(np.arcsin(np.clip(-gaze[:, 1], -1.0, 1.0))).mean())
 
 
-def _arm_span(clip: Clip, pose: WorldPose) -> float:
+def _arm_span(clip: Clip, pose: WorldPose, _: np.ndarray) -> float:
     """Width from the outermost of the left arm to that of the right, m on the mean."""
     across = _across(clip, pose)
     outermost = [
@@ -73,7 +77,7 @@ def _arm_span(clip: Clip, pose: WorldPose) -> float:
     return float(np.sum(outermost, axis=0).mean())
 
 
-def _feet_apart(clip: Clip, pose: WorldPose) -> float:
+def _feet_apart(clip: Clip, pose: WorldPose, _: np.ndarray) -> float:
     """Sideways distance of the ankles, m on the mean."""
     across = _across(clip, pose)
     left, right = (_along(clip, pose, f"{side}_foot", across) for side in ("left", "right"))
@@ -84,7 +88,7 @@ def _feet_apart(clip: Clip, pose: WorldPose) -> float:
 class Feature:
     """A measure of a clip, its unit, and how many digits of it are told."""
 
-    of: Callable[[Clip, WorldPose], float]
+    of: Callable[[Clip, WorldPose, np.ndarray], float]
     unit: str
     digits: int
 
