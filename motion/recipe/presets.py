@@ -60,6 +60,11 @@ def _posture(**amounts: float) -> dict[str, Value]:
     return {"operation": "posture@1", "parameters": {"offsets": offsets}}
 
 
+def _bands(*gains: tuple[float, float]) -> dict[str, Value]:
+    bands: Value = [{"frequency": frequency, "gain": gain} for frequency, gain in gains]
+    return {"operation": "bands@1", "parameters": {"gains": bands}}
+
+
 def _step(key: str, **parameters: Value) -> dict[str, Value]:
     return {"operation": key, "parameters": parameters}
 
@@ -116,7 +121,13 @@ PRESETS: Mapping[str, Preset] = {
             "masculine",
             _posture(hands_away_and_feet_apart=0.6),
         ),
-        _preset("relaxed", "Reduced acceleration.", "relaxed", _grid(timing=0.5)),
+        _preset(
+            "relaxed",
+            "Reduced acceleration.",
+            "relaxed",
+            _grid(timing=0.25),
+            _bands((4.0, 1.0), (8.0, 0.3)),
+        ),
         _preset(
             "sad",
             "Shorter motion paths and the head looking down.",

@@ -71,8 +71,8 @@ edits of figure 29, not their sizes. What was decided along the way:
 
 - *Angry* and *excited* take their acceleration from the operation on limbs, at less than its full
   amount: at the grid's corner the hands jerk more than four times as much as before.
-- *Relaxed* goes half the way to even speed. All the way, speeds are evenest, but hands turn round
-  so abruptly that the jerk rises by a fifth.
+- *Relaxed* goes three quarters of the way to even speed and takes back what is faster than 4 Hz.
+  With even speed alone, hands turn round so abruptly that the jerk rises by a fifth.
 - *Afraid*, *weak* and *feminine* bring hands closer by a little of the opposite of elbows away
   as well: feet that step as narrowly as the woman's leave little room, and shins would meet.
 - *Nervous* changes with time, which means over a whole clip do not tell; that it is unsteadier
@@ -122,7 +122,7 @@ class Row:
 
 def rows(preset: Preset, clips: dict[str, Clip], before: dict[str, dict[str, float]]) -> list[Row]:
     """All features of a preset on all bodies."""
-    after = {body: measure(preset.operations.apply(clip)) for body, clip in clips.items()}
+    after = {body: measure(preset.operations.apply(clip), clip) for body, clip in clips.items()}
     return [
         Row(
             preset.name,

@@ -14,9 +14,11 @@ from motion.editing.path_length import PathLength, change_path_length
 from motion.editing.posture import PostureOffset, add_posture, capture_pose
 from motion.editing.tempo import change_tempo
 from motion.errors import RecipeError
+from motion.ingest import IngestOptions, ingest
 from motion.kinematics import forward_kinematics
 from motion.procedural.stances import stance
 from motion.recipe import MAX_FRAMES, OPERATIONS, PRESETS, Materials, Recipe
+from motion.rotations import angle_between
 from tests.motion.recipe.strategies import CYCLE, OTHER_CYCLE, POSE, SHORT
 
 # One example of every operation, with a clear effect.
@@ -187,6 +189,23 @@ def test_posture_of_head_and_arms_leaves_the_legs(knocking):
     legs = [knocking.skeleton.roles[role] for role in ("left_thigh", "right_foot", "hips")]
     np.testing.assert_array_equal(edited.rotations[:, legs], knocking.rotations[:, legs])
     np.testing.assert_array_equal(edited.root_positions, knocking.root_positions)
+
+
+@pytest.mark.motions
+def test_two_bows_in_two_steps_are_twice_as_deep(motions_dir):
+    """However deep the head hangs after the first, the second knows where forward is."""
+    clip = ingest(
+        (motions_dir / "bandai-namco" / "walk_sad_001.bvh").read_bytes(), IngestOptions()
+    ).clip
+    half = {"pose": "head_down", "amount": 0.5}
+    twice = [{"operation": "posture@1", "parameters": {"offsets": [half]}}] * 2
+    once = one("posture@1", offsets=[{"pose": "head_down", "amount": 1.0}]).apply(clip)
+    again = Recipe.parse(twice).apply(clip)
+    head = clip.skeleton.roles["head"]
+    turns = [forward_kinematics(c).rotations[:, head] for c in (clip, once, again)]
+    deep, deeper = (np.degrees(angle_between(turns[0], turn)) for turn in turns[1:])
+    assert deep.mean() > 30
+    np.testing.assert_allclose(deeper, deep, atol=4)
 
 
 def test_repair_follows_the_time_of_the_steps_before(knocking):
