@@ -222,7 +222,7 @@ export class TimeStrip extends LitElement {
       <select aria-label="Speed" title="Speed" @change=${(event: Event) => (viewer.speed = Number((event.target as HTMLSelectElement).value))}>
         ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === viewer.speed}>${speed}×</option>`)}
       </select>
-      <button type="button" aria-pressed=${Boolean(loop) || viewer.loop} title="Drag along the ruler, or press I and O, to repeat a part"
+      <button type="button" aria-label=${words} aria-pressed=${Boolean(loop) || viewer.loop} title="Drag along the ruler, or press I and O, to repeat a part"
         @click=${toggleLoop}>${icons.loop}<span>${words}</span></button>
     </div>`;
   }

@@ -19,9 +19,11 @@ export function smoothPath(roots: Float32Array, frameTime: number, cyclic: boole
   const total = weights.reduce((sum, weight, k) => sum + (k ? 2 * weight : weight), 0);
   for (let axis = 0; axis < 2; axis += 1) {
     const at = cyclic ? endless(roots, axis * 2) : mirrored(roots, axis * 2);
+    const way = Float64Array.from({ length: frames + 2 * radius }, (_, k) => at(k - radius));
     for (let frame = 0; frame < frames; frame += 1) {
-      let sum = weights[0]! * at(frame);
-      for (let k = 1; k <= radius; k += 1) sum += weights[k]! * (at(frame - k) + at(frame + k));
+      const here = frame + radius;
+      let sum = weights[0]! * way[here]!;
+      for (let k = 1; k <= radius; k += 1) sum += weights[k]! * (way[here - k]! + way[here + k]!);
       path[frame * 2 + axis] = sum / total;
     }
   }
@@ -49,8 +51,8 @@ function mirrored(roots: Float32Array, axis: number): (frame: number) => number 
   return at;
 }
 
-/** Seconds that the followed path remembers; more would run on too far when the traveller stops. */
-const MEMORY = 0.6;
+/** Seconds that the followed path remembers; more would lag in turns and run on at a stop. */
+const MEMORY = 0.45;
 /** Metres from the expected place beyond which the traveller was put elsewhere. */
 const LEAP = 1.5;
 /** Seconds without a pose after which the pace of before means nothing. */
