@@ -36,7 +36,10 @@ def clip_to_bytes(clip: Clip) -> bytes:
     )
     planes = numbers.astype("<f8").view(np.uint8).reshape(-1, 8).T.tobytes()
     line = json.dumps(head, separators=(",", ":")).encode()
-    return _MAGIC + line + b"\n" + zlib.compress(planes, 1)
+    # Most bytes of a motion are noise to a search for repetitions: without one, packing takes a
+    # third of the time and a tenth more room.
+    packer = zlib.compressobj(1, strategy=zlib.Z_RLE)
+    return _MAGIC + line + b"\n" + packer.compress(planes) + packer.flush()
 
 
 def clip_from_bytes(data: bytes) -> Clip:
