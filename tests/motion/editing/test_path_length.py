@@ -1,11 +1,15 @@
 """Longer and shorter paths by multiresolution filtering."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from motion import MotionError
 from motion.editing.path_length import PathLength, band_centres, change_path_length, scale_bands
+from motion.rotations import angle_between, from_axis_angle, multiply
 from tests.motion.editing.measures import bone_lengths, hands_path
 
 
@@ -91,3 +95,65 @@ def test_bones_keep_their_lengths(walk):
 def test_a_cycle_stays_seamless(samples):
     clip = change_path_length(samples["set_a_proud"], PathLength(1.6))
     np.testing.assert_allclose(clip.rotations[0], clip.rotations[-1], atol=1e-12)
+
+
+@pytest.mark.parametrize("representation", ["directions", "quaternions", "angles"])
+def test_gains_of_one_return_the_clip_in_any_representation(samples, representation):
+    clip = samples["acted_female_neutral"]
+    same = change_path_length(clip, PathLength(1.0), representation)
+    np.testing.assert_allclose(angle_between(same.rotations, clip.rotations), 0, atol=1e-7)
+
+
+@pytest.fixture
+def turning(samples):
+    """A walker who, meanwhile, turns round on the spot 1.5 times in the whole clip."""
+    clip = samples["acted_female_neutral"]
+    angle = np.linspace(0.0, 3.0 * np.pi, clip.frames)
+    turn = from_axis_angle(np.array([0.0, 1.0, 0.0]), angle)
+    rotations = clip.rotations.copy()
+    rotations[:, 0] = multiply(turn, rotations[:, 0])
+    return replace(clip, rotations=rotations)
+
+
+def strongest_step(clip):
+    """Degrees of any joint from one frame to the next."""
+    return np.degrees(angle_between(clip.rotations[1:], clip.rotations[:-1])).max()
+
+
+def test_angles_flip_where_they_wrap_around_and_directions_do_not(turning):
+    """Why directions are filtered: at ±180° an angle jumps, and the filter makes a whirl of it."""
+    gain = PathLength(1.6)
+    flipped = change_path_length(turning, gain, "angles")
+    assert strongest_step(flipped) > 60
+    smooth = change_path_length(turning, gain)
+    assert strongest_step(smooth) < 2 * strongest_step(turning)
+
+
+@pytest.mark.motions
+def test_real_walks_flip_by_their_angles_only(walk):
+    """Recorded upper arms and hips pass the angles' borders."""
+    steps = {
+        representation: strongest_step(change_path_length(walk, PathLength(1.6), representation))
+        for representation in ("directions", "quaternions", "angles")
+    }
+    assert steps["directions"] <= 2 * strongest_step(walk)
+    assert steps["quaternions"] <= 2 * strongest_step(walk)  # once their signs are continuous
+    assert steps["angles"] > 2 * strongest_step(walk)
+
+
+def test_quaternions_do_not_close_a_cycle_that_turns_round(samples):
+    """After one turn a joint is back, its quaternion has the other sign: the seam opens."""
+    cycle = samples["set_a_proud"]
+    turn = from_axis_angle(np.array([0.0, 1.0, 0.0]), np.linspace(0.0, 2.0 * np.pi, cycle.frames))
+    rotations = cycle.rotations.copy()
+    rotations[:, 0] = multiply(turn, rotations[:, 0])
+    round_about = replace(cycle, rotations=rotations)
+    quaternions = change_path_length(round_about, PathLength(1.6), "quaternions")
+    directions = change_path_length(round_about, PathLength(1.6))
+    assert strongest_step(quaternions) > 4 * strongest_step(round_about)
+    assert strongest_step(directions) < 2 * strongest_step(round_about)
+
+
+def test_an_unknown_representation_is_refused(samples):
+    with pytest.raises(MotionError, match="directions, quaternions, angles"):
+        change_path_length(samples["set_a_proud"], PathLength(1.4), "matrices")
