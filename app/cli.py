@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -17,6 +18,13 @@ from app.services import preparation, researchers
 from app.settings import Settings
 
 # The commands import what they need when they run: `manner serve` should not wait for SciPy.
+
+
+class SetName(StrEnum):
+    """The sets that have a name."""
+
+    foerger = "foerger"
+
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -92,6 +100,31 @@ def import_files(
             progress.advance(task)
     if failed:
         console.print(f"{failed} of {len(files)} files could not be imported.")
+        raise typer.Exit(1)
+
+
+@app.command("make-set")
+def make_set(
+    name: Annotated[SetName, typer.Argument(help="foerger: his 20 modified clips of 2 neutral.")],
+) -> None:
+    """Make a whole set of clips. What is in the library already is not made again."""
+    from app.services import command_line_sets
+
+    settings = Settings()
+    database = _prepared_database(settings)
+    with _progress() as progress:
+        task = progress.add_task("Making clips", total=None)
+        job = command_line_sets.make(
+            database,
+            command_line_sets.SETS[name.value],
+            lambda done, total: progress.update(task, completed=done, total=total),
+            settings.scheduler,
+        )
+    for item in job.items:
+        if item.error:
+            console.print(f"{item.name}: {item.error}", markup=False, soft_wrap=True)
+    console.print(f"{job.done} of {job.total} clips are in the library.")
+    if job.done < job.total:
         raise typer.Exit(1)
 
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wai
     from motion.recipe import Recipe
 
 CHUNK = 16  # clips
-CHUNK_FRAMES = 16_000  # and fewer of a longer source: a second's work or so, before it is kept
+CHUNK_FRAMES = 2_000  # fewer clips of a longer source, so that much of it is kept soon
 TICK = 0.25  # seconds between looks at whether somebody has cancelled
 DIED = "The computation broke off, probably for lack of memory. Cut the clip shorter first."
 

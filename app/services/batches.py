@@ -23,7 +23,7 @@ if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wai
     from motion.recipe import Recipe
 
 
-def submit(db: Session, researcher_id: int, batch: Batch) -> JobDetail:
+def submit(db: Session, researcher_id: int | None, batch: Batch) -> JobDetail:
     """Queue a job; the server's runner, or that of another server, takes it from there.
 
     Raises:

@@ -15,6 +15,7 @@ from app.persistence.engine import Database, make_engine
 from app.persistence.models import ClipRecord
 from app.services import command_line_imports, samples
 from app.settings import Settings
+from motion.procedural.library import acted
 from tests.support.motions import faulty_bvh, walk_bvh, walks
 
 
@@ -88,6 +89,30 @@ def test_yes_confirms_what_was_guessed(settings: Settings, tmp_path: Path) -> No
     again = run("import", tmp_path / "walk.bvh")
     assert again.exit_code == 0
     assert "is in the library already" in again.output
+
+
+def test_foergers_set_is_made_from_the_two_neutral_clips_and_only_once(
+    settings: Settings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    neutral = [sample for sample in acted() if sample.tags["emotion"] == "neutral"]
+    monkeypatch.setattr(samples.make, "__defaults__", (lambda: neutral, lambda done, total: None))
+    run("prepare")
+    first = run("make-set", "foerger")
+    assert first.exit_code == 0
+    assert "20 of 20 clips" in first.output
+    made = states(settings)
+    assert "acted_female_neutral · masculine" in made
+    assert "acted_male_neutral · energetic sadness" in made
+    assert run("make-set", "foerger").exit_code == 0
+    assert states(settings) == made
+    assert len(made) == 22
+
+
+def test_a_set_without_its_samples_says_how_to_get_them(settings: Settings) -> None:
+    run("prepare")
+    result = run("make-set", "foerger")
+    assert result.exit_code == 1
+    assert "manner prepare" in str(result.exception.mend)
 
 
 def test_the_set_up_link_stands_whole_on_one_line(settings: Settings) -> None:

@@ -26,7 +26,7 @@ export function jobPanel(job: Job, given: JobPanel): TemplateResult {
 
 function running(job: Job, { watch, stop }: JobPanel): TemplateResult {
   const left = timeLeft(watch.marks, job.total);
-  return html`<header class="page-header"><h2 class="figure-title" id="job-title" tabindex="-1" role="status">
+  return html`<header class="page-header"><h2 class="figure-title" id="job-title" tabindex="-1">
       ${job.state === "waiting" ? "Waiting for its turn" : "Making the clips"}</h2>
     <div class="buttons"><button class="button" type="button" @click=${stop}>${icon("stop")}Stop</button></div></header>
     <progress max=${job.total} .value=${settled(job)} aria-label="Clips made"></progress>
@@ -38,7 +38,7 @@ function running(job: Job, { watch, stop }: JobPanel): TemplateResult {
 function ended(job: Job, { made, again }: JobPanel): TemplateResult {
   const clips = [...new Set(job.items.flatMap(({ clip }) => clip ?? []))].flatMap((id) => made.get(id) ?? []);
   const set = clips[0]?.tags.set;
-  return html`<header class="page-header"><h2 class="figure-title" id="job-title" tabindex="-1" role="status">${endWords(job)}</h2>
+  return html`<header class="page-header"><h2 class="figure-title" id="job-title" tabindex="-1">${endWords(job)}</h2>
     <div class="buttons"><button class="button" type="button" @click=${again}>${icon("back")}Another set</button></div></header>
     ${set ? html`<p class="quiet">In the <a href="/library">library</a> under <b>${set}</b>.</p>` : nothing}
     <ul class="clip-grid">${repeat(clips, ({ id }) => id, card)}</ul>`;
