@@ -40,8 +40,8 @@ export class BandEqualiser extends LitElement {
       @pointerup=${this.leave} @pointercancel=${this.leave}
       @keydown=${(event: KeyboardEvent) => this.key(event, { frequency, gain })} @dblclick=${() => this.tell(frequency, 1)}>
       <svg viewBox="0 0 34 ${HEIGHT + 2 * TOP}" aria-hidden="true">
-        <path class="lines" d="M17 ${down(2)}V${down(0)}M0 ${down(0)}H34M0 ${down(2)}H34"></path>
-        <path class="unity" d="M0 ${down(1)}H34"></path>
+        <path class="lines" d="M17 ${down(2)}V${down(0)}M-6 ${down(0)}H40M-6 ${down(2)}H40"></path>
+        <path class="unity" d="M-6 ${down(1)}H40"></path>
         <path class="stem" d=${stem}></path>
         <rect class="ring" x="2.5" y=${at - 9} width="29" height="18" rx="9"></rect>
         <rect class="handle" x="7" y=${at - 5} width="20" height="10" rx="5"></rect>

@@ -10,11 +10,9 @@ import { resultPanel, type ResultActs } from "./result_panel";
 import * as server from "./server";
 import { asApiError, Session } from "./session";
 import { stage, type StageState } from "./stage_view";
-import { topBar, type TopActs } from "./top_bar";
+import { topBar, type Drawer, type TopActs } from "./top_bar";
 import "./picker";
 import "./time_strip";
-
-type Drawer = "movement" | "results";
 
 const EDITED = 0;
 const ORIGINAL = 1;
@@ -207,6 +205,7 @@ export class MotionStudio extends LitElement {
         void this.updateComplete.then(() => this.querySelector<HTMLElement>("#export")?.focus());
       },
       save: () => void this.save(),
+      drawer: (name) => (this.drawer = this.drawer === name ? null : name),
     };
   }
 
@@ -238,13 +237,13 @@ export class MotionStudio extends LitElement {
     const { session, drawer, original, busy, arrangement, failure } = this;
     const variants = this.clips.filter(({ recipe_source }) => session && recipe_source === session.source.id);
     const note = (event: Event) => this.note(event);
-    return html`${topBar(session, { original, busy }, this.topActs)}
+    return html`${topBar(session, { original, busy, drawer }, this.topActs)}
       <div class="studio ${drawer ? `with-${drawer}` : ""}">
         <aside class="side movement" aria-label="How it moves" @pointerdown=${{ handleEvent: note, capture: true }}
           @pointermove=${{ handleEvent: note, capture: true }} @keydown=${{ handleEvent: note, capture: true }}
           @input=${{ handleEvent: note, capture: true }}>
           ${session ? movementPanel(session, this.offers, { capture: () => void this.capture() }) : nothing}</aside>
-        ${stage(session, { original, arrangement, failure, drawer }, {
+        ${stage(session, { original, arrangement, failure }, {
           ready: () => this.onReady(),
           motion: () => this.onMotion(),
           choose: () => this.picker.show(),
@@ -252,7 +251,6 @@ export class MotionStudio extends LitElement {
             this.arrangement = arrangement;
             this.compare(false);
           },
-          drawer: (name) => (this.drawer = drawer === name ? null : name),
         })}
         ${session ? this.strip(session) : nothing}
         <aside class="side results" aria-label="What came of it">

@@ -10,7 +10,7 @@ import {
   withBands, withGrid, withPosture, type GridPoint,
 } from "./recipe";
 import { schemaForm } from "./schema_form";
-import type { Operation, Pose, Preset } from "./server";
+import { stepsOf, type Operation, type Pose, type Preset } from "./server";
 import type { Session } from "./session";
 import { amountSlider, resetButton } from "./slider";
 import "./equaliser";
@@ -42,7 +42,7 @@ export function movementPanel(session: Session, offers: Offers, acts: MovementAc
 function presets(session: Session, all: Preset[]): TemplateResult {
   const choose = ({ name, operations }: Preset) => {
     const off = session.preset === name;
-    session.change(off ? [] : operations, `preset ${name}`, off ? null : name);
+    session.change(off ? [] : stepsOf(operations), `preset ${name}`, off ? null : name);
   };
   const chip = (preset: Preset) => html`<button class="chip" type="button" title=${preset.summary}
     aria-pressed=${session.preset === preset.name} @click=${() => choose(preset)}>${inWords(preset.name)}</button>`;
@@ -98,7 +98,7 @@ function bands(session: Session): TemplateResult {
   const changed = bandsOf(session.steps).length > 0;
   return html`<details ?open=${changed}><summary><h2>Frequency bands</h2><span class="tiny">gain, by Hz</span></summary>
     <band-equaliser .bands=${all} @band=${set}></band-equaliser>
-    <div class="end">${resetButton("all bands", changed, () => session.change(put(session.steps, BANDS, null), "bands"))}</div></details>`;
+    ${changed ? html`<div class="end"><button class="link-button" type="button" @click=${() => session.change(put(session.steps, BANDS, null), "bands")}>Reset all bands</button></div>` : nothing}</details>`;
 }
 
 function more(session: Session, operations: Operation[]): TemplateResult {
@@ -113,9 +113,9 @@ function more(session: Session, operations: Operation[]): TemplateResult {
       const set = (parameters: typeof step.parameters, name: string) =>
         session.change(replaceAt(session.steps, place, { ...step, parameters }), `${step.operation} ${place} ${name}`);
       const remove = () => session.change(replaceAt(session.steps, place, null), `remove ${place}`);
-      return html`<fieldset class="extra"><legend>${title}</legend>
-        <button class="link-button remove" type="button" aria-label="Take out ${title}" @click=${remove}>Take out</button>
-        ${known ? schemaForm(known.parameters, step.parameters, set) : html`<p class="hint">This server does not know ${step.operation}.</p>`}</fieldset>`;
+      return html`<div class="extra ${place === session.faultyStep ? "faulty" : ""}" role="group" aria-label=${title}>
+        <header><h3>${title}</h3><button class="link-button" type="button" aria-label="Take out ${title}" @click=${remove}>Take out</button></header>
+        ${known ? schemaForm(known.parameters, step.parameters, set) : html`<p class="hint">This server does not know ${step.operation}.</p>`}</div>`;
     })}
     <div class="chips" role="group" aria-label="Add">${offered.map(
       (operation) => html`<button class="chip" type="button" title=${operation.summary} @click=${() => add(operation)}>${icon("plus")}${operation.title}</button>`,

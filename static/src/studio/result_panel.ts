@@ -51,7 +51,7 @@ function variants(session: Session, { variants }: ResultState, { open }: ResultA
     ${variants.length
       ? html`<ul>${variants.map(
           (clip) => html`<li><button type="button" aria-current=${clip.id === session.saved.id ? "true" : nothing} @click=${() => open(clip.id)}>
-            <motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail>
+            <span class="still"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail></span>
             <span>${clip.name}</span></button></li>`,
         )}</ul>`
       : html`<p class="quiet">What you save is kept here, to be opened again.</p>`}

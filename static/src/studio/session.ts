@@ -3,7 +3,7 @@ import { ApiError, api } from "../api";
 import { dropDraft, findDraft, keepDraft } from "./draft";
 import { History } from "./history";
 import { debounced, Latest } from "./latest";
-import { same, textOf, type Steps } from "./recipe";
+import { same, textOf, withGrid, type Steps } from "./recipe";
 import * as server from "./server";
 
 export interface Edit {
@@ -29,6 +29,8 @@ export class Session {
   checking = false;
   /** Why the stage does not show the recipe. */
   problem: ApiError | null = null;
+  /** What the stage shows. */
+  private shown: Edit | null = null;
   /** A draft of an earlier visit is what is shown. */
   fromDraft = false;
   /** The moment of the event that asks for the next motion. */
@@ -44,7 +46,7 @@ export class Session {
     private readonly stage: Show,
     private readonly changed: () => void,
   ) {
-    const steps = opened.provenance?.recipe ?? [];
+    const steps = server.stepsOf(opened.provenance?.recipe ?? []);
     this.saved = { id: opened.id, name: opened.name, steps };
     this.name = steps.length ? opened.name : "";
     const draft = findDraft(opened.id);
@@ -70,6 +72,11 @@ export class Session {
     return this.steps.length ? `${this.source.name} ${this.preset?.replaceAll("_", " ") ?? "edited"}` : this.source.name;
   }
 
+  /** The stage shows the recipe as it stands. */
+  get isShown(): boolean {
+    return this.shown === this.history.present;
+  }
+
   get isSaved(): boolean {
     const named = !this.steps.length || !this.name || this.name === this.saved.name;
     return same(this.steps, this.saved.steps) && named;
@@ -78,8 +85,12 @@ export class Session {
   /** The first motion and the first checks. A fresh stage shows the source as it is. */
   begin(fresh: boolean): void {
     if (this.steps.length || !fresh) this.shows.ask(this.history.present);
+    else this.shown = this.history.present;
     this.checking = true;
     this.checkSoon(this.history.present);
+    this.changed();
+    // The nine motions are made once for a clip; the first drag shall not wait for them.
+    void server.preview({ source: this.source.id, operations: withGrid([], { path: 1.5, timing: 1.5 }) }).catch(() => {});
   }
 
   change(steps: Steps, control: string, preset = this.preset): void {
@@ -129,8 +140,14 @@ export class Session {
   /** Lower the edit until its checks are clean; tells to which share. */
   async easeOff(): Promise<number> {
     const { operations, share } = await server.easeOff(this.edited);
-    this.change(operations, "ease off");
+    this.change(server.stepsOf(operations), "ease off");
     return share;
+  }
+
+  /** The place among the steps of the one that the server could not do. */
+  get faultyStep(): number | null {
+    const step = this.problem?.where?.step;
+    return typeof step === "number" ? step - 1 : null;
   }
 
   /** Ask again for what is not there yet. */
@@ -157,6 +174,7 @@ export class Session {
     try {
       const glb = await this.motionOf(edit.steps);
       this.stage(glb, askedAt);
+      this.shown = edit;
       this.problem = null;
     } catch (error) {
       this.problem = asApiError(error);
@@ -177,6 +195,10 @@ export class Session {
     return motion;
   }
 
+  private checkLater(edit: Edit): void {
+    setTimeout(() => edit === this.history.present && this.checks.ask(edit), AGAIN_AFTER);
+  }
+
   private async check(edit: Edit): Promise<void> {
     try {
       const checked = await server.check({ source: this.source.id, operations: edit.steps });
@@ -186,6 +208,7 @@ export class Session {
       if (!(error instanceof ApiError)) throw error;
       // The stage says what is wrong with the recipe; checks of the one before would mislead.
       this.checked = null;
+      if (error.transient && edit === this.history.present) return this.checkLater(edit);
     }
     this.checking = false;
     this.changed();

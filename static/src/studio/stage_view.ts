@@ -3,13 +3,13 @@ import { html, nothing, type TemplateResult } from "lit";
 import { keyed } from "lit/directives/keyed.js";
 import type { ApiError } from "../api";
 import { icon } from "../icons";
+import { inWords } from "./form_model";
 import type { Session } from "./session";
 
 export interface StageState {
   arrangement: "ghost" | "beside" | "one";
   original: boolean;
   failure: ApiError | null;
-  drawer: string | null;
 }
 
 export interface StageActs {
@@ -17,13 +17,12 @@ export interface StageActs {
   motion(): void;
   choose(): void;
   arrange(arrangement: StageState["arrangement"]): void;
-  drawer(name: "movement" | "results"): void;
 }
 
 export function stage(session: Session | null, state: StageState, acts: StageActs): TemplateResult {
-  return html`<section class="studio-stage" aria-label="Stage">
+  return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session !== null && !session.isShown}>
     ${session ? figures(session, acts) : empty(state, acts)}
-    ${session ? tools(session, state, acts) : nothing}
+    ${session ? tools(state, acts) : nothing}
     <div class="stage-notes">${notes(session, state)}</div>
   </section>`;
 }
@@ -39,17 +38,11 @@ const figures = ({ source }: Session, acts: StageActs) =>
     </motion-viewer>`,
   );
 
-function tools(session: Session, { arrangement, drawer }: StageState, acts: StageActs): TemplateResult {
+function tools({ arrangement }: StageState, acts: StageActs): TemplateResult {
   const choose = (kind: StageState["arrangement"]) => () => acts.arrange(arrangement === kind ? "one" : kind);
-  const faults = session.checked?.report.findings.length ?? 0;
   return html`<div class="stage-tools" role="group" aria-label="Original">
       <button class="button" type="button" title="Key G" aria-pressed=${arrangement === "ghost"} @click=${choose("ghost")}>${icon("ghost")}Ghost</button>
-      <button class="button" type="button" aria-pressed=${arrangement === "beside"} @click=${choose("beside")}>${icon("beside")}<span>Side by side</span></button>
-    </div>
-    <div class="drawer-tools">
-      <button class="button" type="button" aria-expanded=${drawer === "movement"} @click=${() => acts.drawer("movement")}>${icon("studio")}Edit</button>
-      <button class="button" type="button" aria-expanded=${drawer === "results"} @click=${() => acts.drawer("results")}>
-        ${icon(faults ? "warning" : "check")}Checks${faults ? ` ${faults}` : ""}</button>
+      <button class="button" type="button" aria-pressed=${arrangement === "beside"} @click=${choose("beside")}>${icon("beside")}Beside</button>
     </div>`;
 }
 
@@ -68,7 +61,9 @@ function trouble(problem: ApiError, session: Session): TemplateResult {
       Your edits are kept here; the figure follows as soon as it answers.
       <button class="link-button" type="button" @click=${() => session.retry()}>Try now</button></p></div>`;
   }
-  return note(problem.message, problem.mend, html`<button class="link-button" type="button" @click=${() => session.undo()}>Undo the change</button>`);
+  const step = session.faultyStep;
+  const place = step === null ? "" : `Step ${step + 1}, ${inWords(session.steps[step]?.operation.split("@")[0] ?? "")}: `;
+  return note(place + problem.message, problem.mend, html`<button class="link-button" type="button" @click=${() => session.undo()}>Undo the change</button>`);
 }
 
 const note = (message: string, mend: string | null, act: TemplateResult | typeof nothing = nothing) =>

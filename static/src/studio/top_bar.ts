@@ -10,14 +10,18 @@ export interface TopActs {
   compare(original: boolean): void;
   exports(): void;
   save(): void;
+  drawer(name: Drawer): void;
 }
+
+export type Drawer = "movement" | "results";
 
 export interface TopState {
   original: boolean;
+  drawer: Drawer | null;
   busy: boolean;
 }
 
-export function topBar(session: Session | null, { original, busy }: TopState, acts: TopActs): TemplateResult {
+export function topBar(session: Session | null, { original, busy, drawer }: TopState, acts: TopActs): TemplateResult {
   return html`<header class="studio-top">
     <a class="brand" href="/" aria-label="Manner">${mark}<span>Manner</span></a>
     <nav class="crumbs" aria-label="Where you are"><a href="/library">Library</a><span aria-hidden="true">/</span></nav>
@@ -31,10 +35,21 @@ export function topBar(session: Session | null, { original, busy }: TopState, ac
           <button type="button" aria-pressed=${original} @click=${() => acts.compare(true)}><b>A</b><span> original</span></button>
           <button type="button" aria-pressed=${!original} @click=${() => acts.compare(false)}><b>B</b><span> edited</span></button>
         </div>
-        <div class="acts"><button class="button export-button" type="button" @click=${acts.exports}>${icon("import")}<span>Export</span></button>
+        ${drawers(session, drawer, acts)}
+        <div class="acts save"><button class="button export-button" type="button" @click=${acts.exports}>${icon("import")}<span>Export</span></button>
           <button class="button primary" type="button" ?disabled=${busy || session.isSaved} @click=${acts.save}>Save</button></div>`
       : nothing}
   </header>`;
+}
+
+/** On a narrow screen the panels open by these. */
+function drawers(session: Session, drawer: Drawer | null, acts: TopActs): TemplateResult {
+  const faults = session.checked?.report.findings.length ?? 0;
+  return html`<div class="acts drawer-acts">
+    <button class="button" type="button" aria-expanded=${drawer === "movement"} @click=${() => acts.drawer("movement")}>Edit</button>
+    <button class="button" type="button" aria-expanded=${drawer === "results"} @click=${() => acts.drawer("results")}>Results${faults
+      ? html` <span class="count">${faults}<span class="visually-hidden"> found by the checks</span></span>`
+      : nothing}</button></div>`;
 }
 
 function title(session: Session, { choose }: TopActs): TemplateResult {

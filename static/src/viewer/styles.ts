@@ -17,6 +17,7 @@ const TEXT = `
 .legend { position: absolute; top: 16px; left: 0; right: 0; height: 24px; margin: 0; padding: 0; list-style: none; pointer-events: none; }
 .legend.row { display: flex; justify-content: center; gap: 32px; }
 :host([controls="views"]) .legend.row { top: auto; bottom: 16px; left: 20px; justify-content: start; gap: 20px; }
+:host([controls="views"]) .legend.above { top: auto; bottom: 16px; }
 .legend li { display: flex; align-items: center; gap: 8px; font-weight: 600; white-space: nowrap; }
 .legend.above li { position: absolute; transform: translateX(-50%); }
 .legend li::before { content: ""; box-sizing: border-box; width: 11px; height: 11px; border-radius: 50%; background: currentColor; border: 2px solid currentColor; }
