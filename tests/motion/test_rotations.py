@@ -125,6 +125,24 @@ def test_matrices_round_trip_and_equal_scipy(q):
     assert same(from_matrix(to_matrix(q)), q)
 
 
+def test_directions_become_the_rotations_that_scipy_makes_of_them():
+    """Half of them lie near half a turn, where the scalar part is near zero."""
+    rng = np.random.default_rng(11)
+    q = rng.normal(size=(4000, 4))
+    q[::2, 0] *= np.logspace(-16, 0, 2000)
+    q[1::4, 1:] *= np.logspace(-16, 0, 1000)[:, None]
+    six = to_directions(normalise(q)) * rng.uniform(0.2, 5.0, (4000, 1))
+    x = six[:, :3] / np.linalg.norm(six[:, :3], axis=1, keepdims=True)
+    y = six[:, 3:] - np.sum(x * six[:, 3:], axis=1, keepdims=True) * x
+    y /= np.linalg.norm(y, axis=1, keepdims=True)
+    matrices = np.stack([x, y, np.cross(x, y)], axis=-1)
+    expected = Rotation.from_matrix(matrices).as_quat(scalar_first=True)
+    ours = from_directions(six)
+    signs = np.sign(np.sum(ours * expected, axis=1, keepdims=True))
+    np.testing.assert_allclose(ours * signs, expected, atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(ours, axis=1), 1.0, atol=1e-12)
+
+
 @given(quaternions(), quaternions(), vectors)
 def test_a_product_turns_by_the_second_then_by_the_first(a, b, v):
     assert rotate(multiply(a, b), v) == pytest.approx(rotate(a, rotate(b, v)), abs=1e-9)

@@ -1,16 +1,21 @@
 """The nine motions and what lies between them."""
 
+from collections import OrderedDict
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motion import MotionError
+from motion.editing import grid
 from motion.editing.foot_repair import repair_feet
-from motion.editing.grid import LONGER, SHORTER, nine_motions
+from motion.editing.grid import LONGER, SHORTER, cached_nine_motions, nine_motions
 from motion.editing.path_length import PathLength, change_path_length
 from motion.editing.timing import ADDED, EVEN, Timing, change_timing
 from motion.kinematics import forward_kinematics
+from motion.rotations import angle_between
 from tests.motion.editing.measures import bone_lengths
 
 ON_GRID = [(path, timing) for path in (0, 1, 2) for timing in (0, 1, 2)]
@@ -68,3 +73,38 @@ def test_every_point_keeps_the_bones(nine, clip, path, timing):
 def test_outside_the_grid_there_is_nothing(nine, point):
     with pytest.raises(MotionError, match="from 0 to 2"):
         nine.at(*point)
+
+
+def tiny(clip, number, frames=8):
+    """A few frames of a clip, different for each number."""
+    part = slice(number, number + frames)
+    return replace(clip, root_positions=clip.root_positions[part], rotations=clip.rotations[part])
+
+
+def test_grids_are_remembered_by_what_the_clip_is(clip):
+    first = cached_nine_motions(tiny(clip, 0))
+    assert cached_nine_motions(tiny(clip, 0)) is first
+    assert cached_nine_motions(tiny(clip, 1)) is not first
+    assert cached_nine_motions(tiny(clip, 0), ("head",)) is not first
+
+
+def test_few_grids_are_remembered(clip, monkeypatch):
+    """As many as fit; the newest always, the longest unused go first."""
+    monkeypatch.setattr(grid, "_CACHE", OrderedDict())
+    monkeypatch.setattr(grid, "_MOST", 3 * 8 * len(clip.skeleton))
+    made = [cached_nine_motions(tiny(clip, number)) for number in range(3)]
+    assert cached_nine_motions(tiny(clip, 0)) is made[0]
+    cached_nine_motions(tiny(clip, 3))
+    assert len(grid._CACHE) == 3
+    assert cached_nine_motions(tiny(clip, 0)) is made[0]
+    assert cached_nine_motions(tiny(clip, 1)) is not made[1]
+    long = cached_nine_motions(tiny(clip, 0, 100))
+    assert list(grid._CACHE.values()) == [long]
+
+
+def test_a_cycle_s_grid_is_seamless_everywhere(samples):
+    nine = nine_motions(samples["set_a_proud"])
+    for point in [*ON_GRID, (0.3, 1.7), (1.6, 0.4)]:
+        made = nine.at(*point)
+        assert made.cyclic
+        assert np.degrees(angle_between(made.rotations[0], made.rotations[-1])).max() < 1e-5

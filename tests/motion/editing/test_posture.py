@@ -7,6 +7,7 @@ from motion.editing.posture import PostureOffset, add_posture, capture_pose
 from motion.kinematics import forward_kinematics
 from motion.procedural.stances import STANCES, stance
 from motion.rotations import angle_between, from_axis_angle
+from motion.standing import Standing
 from tests.motion.editing.conftest import read
 from tests.motion.editing.measures import bone_lengths
 
@@ -93,3 +94,32 @@ def test_a_far_reaching_arm_is_left_as_it_is(neutral):
     arm = roles["left_upper_arm"]
     apart = angle_between(edited.rotations[:, arm], reaching.rotations[:, arm])
     np.testing.assert_allclose(apart, 0, atol=1e-7)
+
+
+def test_an_offset_touches_its_own_joints_only(neutral):
+    bowed = add_posture(neutral, [(offset("head_down"), 1.0)])
+    touched = [neutral.skeleton.roles[role] for role in ("chest", "neck", "head")]
+    others = [joint for joint in range(len(neutral.skeleton)) if joint not in touched]
+    np.testing.assert_array_equal(bowed.rotations[:, others], neutral.rotations[:, others])
+    turned = angle_between(bowed.rotations[:, touched], neutral.rotations[:, touched])
+    assert turned.min() > np.radians(3)
+
+
+def test_axes_may_be_those_of_the_motion_before_other_edits(neutral):
+    """They are the same unless the other edit hides them."""
+    offsets = [(offset("elbows_away"), 1.0)]
+    own = add_posture(neutral, offsets)
+    known = add_posture(neutral, offsets, Standing.of(neutral))
+    np.testing.assert_array_equal(own.rotations, known.rotations)
+    assert Standing.of(neutral) is Standing.of(neutral)
+
+
+def test_offsets_of_both_bodies_keep_the_other_s_bones(samples):
+    """A pose captured from one body, put onto the other, in both ways."""
+    bodies = {sex: samples[f"acted_{sex}_neutral"] for sex in ("female", "male")}
+    for giver, taker in (("female", "male"), ("male", "female")):
+        bowed = samples[f"acted_{giver}_sad"]
+        change = PostureOffset.between(capture_pose(bodies[giver], 0), capture_pose(bowed, 0))
+        changed = add_posture(bodies[taker], [(change, 1.0)])
+        assert nose_down(changed) > nose_down(bodies[taker])
+        np.testing.assert_allclose(bone_lengths(changed), bone_lengths(bodies[taker]), atol=1e-9)
