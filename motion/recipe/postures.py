@@ -66,25 +66,31 @@ def _keyframe(clip: Clip, standing: Standing, context: Context, entry: dict[str,
         raise MotionError(
             f"A keyframe at {entry['time']:g} s lies beyond the clip's {clip.duration:.3g} s."
         )
-    canonical = standing.canonical(clip.rotations[frame]).copy()
-    touched = set()
-    if entry["pose"] is not None:
-        for role, rotation in context.materials.pose(entry["pose"]).items():
-            if role in clip.skeleton.roles and role != "hips":
-                canonical[clip.skeleton.roles[role]] = rotation
-                touched.add(clip.skeleton.roles[role])
+    roles = clip.skeleton.roles
+    now = standing.canonical(clip.rotations[frame])
+    wanted = {} if entry["pose"] is None else dict(context.materials.pose(entry["pose"]))
+    wanted.pop("hips", None)  # where the body faces is where it goes
     for turn in entry["turns"]:
-        if turn["role"] not in clip.skeleton.roles:
-            name = turn["role"].replace("_", " ")
+        role = turn["role"]
+        if role not in roles:
+            name = role.replace("_", " ")
             raise MotionError(f"No joint is the {name}: set that body role first.")
-        joint = clip.skeleton.roles[turn["role"]]
-        for axis, name in zip(_AXES, "xyz", strict=True):
-            canonical[joint] = multiply(
-                from_axis_angle(axis, np.radians(turn[name])), canonical[joint]
-            )
-        touched.add(joint)
-    rotations = {joint: standing.from_canonical(canonical[joint], joint) for joint in touched}
+        wanted[role] = multiply(_rotation(turn), wanted.get(role, now[roles[role]]))
+    rotations = {
+        roles[role]: standing.from_canonical(rotation, roles[role])
+        for role, rotation in wanted.items()
+        if role in roles
+    }
     return Keyframe(frame, rotations, np.array([entry[name] for name in ("left", "up", "forward")]))
+
+
+def _rotation(turn: dict[str, Any]) -> Array:
+    """(4,) first about x, then about y, then about z, in canonical axes."""
+    x, y, z = (
+        from_axis_angle(axis, np.radians(turn[name]))
+        for axis, name in zip(_AXES, "xyz", strict=True)
+    )
+    return multiply(z, multiply(y, x))
 
 
 def _waveshape(
