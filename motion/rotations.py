@@ -107,15 +107,20 @@ def to_euler(quaternions: Array, order: str) -> Array:
 
 def to_directions(quaternions: Array) -> Array:
     """Direction vectors (..., 6): the first two columns of the rotation matrix, x then y."""
+    return np.ascontiguousarray(np.moveaxis(_direction_rows(quaternions), 0, -1))
+
+
+def _direction_rows(quaternions: Array) -> Array:
+    """The same (6, ...), each component contiguous."""
     w, x, y, z = _rows(quaternions)
-    result = np.empty((*quaternions.shape[:-1], 6))
-    result[..., 0] = 1 - 2 * (y * y + z * z)
-    result[..., 1] = 2 * (x * y + w * z)
-    result[..., 2] = 2 * (x * z - w * y)
-    result[..., 3] = 2 * (x * y - w * z)
-    result[..., 4] = 1 - 2 * (x * x + z * z)
-    result[..., 5] = 2 * (y * z + w * x)
-    return result
+    rows = np.empty((6, *w.shape))
+    rows[0] = 1 - 2 * (y * y + z * z)
+    rows[1] = 2 * (x * y + w * z)
+    rows[2] = 2 * (x * z - w * y)
+    rows[3] = 2 * (x * y - w * z)
+    rows[4] = 1 - 2 * (x * x + z * z)
+    rows[5] = 2 * (y * z + w * x)
+    return rows
 
 
 def from_directions(directions: Array) -> Array:
@@ -128,7 +133,23 @@ def from_directions(directions: Array) -> Array:
     Raises:
         MotionError: if no frame of a joint has a direction.
     """
-    rows = _rows(directions)
+    return _from_direction_rows(_rows(directions))
+
+
+def weighted_mean(weighted: Sequence[tuple[float, Array]]) -> Array:
+    """Rotations (..., 4) whose direction vectors are the weighted sums of others', orthonormal.
+
+    Raises:
+        MotionError: if all weighted rotations of a joint cancel each other out in every frame.
+    """
+    weight, first = weighted[0]
+    rows = weight * _direction_rows(first)
+    for weight, other in weighted[1:]:
+        rows += weight * _direction_rows(other)
+    return _from_direction_rows(rows)
+
+
+def _from_direction_rows(rows: Array) -> Array:
     x, x_ok = _unit(rows[:3])
     y, _ = _unit(rows[3:])
     y, y_ok = _unit(y - np.sum(x * y, axis=0) * x)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
 from threading import Lock
 
 import numpy as np
@@ -15,13 +14,15 @@ from motion.editing.foot_repair import repair_feet
 from motion.editing.path_length import PathLength, change_path_length
 from motion.editing.timing import ADDED, EVEN, Timing, change_timing
 from motion.errors import MotionError
-from motion.rotations import from_directions, to_directions
+from motion.rotations import weighted_mean
 
 Array = NDArray[np.float64]
 
 SHORTER, LONGER = 0.4, 1.6  # gains at the ends of the path axis
+_GAINS = (SHORTER, None, LONGER)
 _TIMINGS = (EVEN, None, ADDED)
-_MOST = 400_000  # frames times joints of all remembered grids; about a quarter of a gigabyte
+_BLOCK = 512  # frames mixed at once, so that they stay in the processor's cache
+_MOST = 500_000  # frames times joints of all remembered clips' grids; about 150 MB
 _CACHE: OrderedDict[tuple[str, tuple[str, ...] | None], NineMotions] = OrderedDict()
 _LOCK = Lock()
 
@@ -31,23 +32,33 @@ class NineMotions:
     """(shorter, as is, longer paths) × (even speed, as is, added acceleration).
 
     Attributes:
-        motions: three rows by path, each of three clips by timing; the middle one is the original.
+        clip: the original, in the middle.
+        limbs: which limbs' timing changes; None as ``Timing`` chooses.
     """
 
-    motions: tuple[tuple[Clip, Clip, Clip], ...]
+    clip: Clip
+    limbs: tuple[str, ...] | None = None
+    _made: dict[tuple[int, int], Clip] = field(default_factory=dict, repr=False)
 
     @property
-    def size(self) -> int:
-        """Frames times joints of one of the nine."""
-        return int(self.motions[1][1].rotations.size // 4)
+    def motions(self) -> tuple[tuple[Clip, ...], ...]:
+        """Three rows by path, each of three clips by timing."""
+        return tuple(tuple(self.motion(path, timing) for timing in range(3)) for path in range(3))
 
-    @cached_property
-    def _directions(self) -> Array:
-        return np.array([[to_directions(clip.rotations) for clip in row] for row in self.motions])
+    def motion(self, path: int, timing: int) -> Clip:
+        """One of the nine; it is made when it is first asked for, and kept."""
+        place = (path, timing)
+        if place not in self._made:
+            self._made[place] = self._make(path, timing)
+        return self._made[place]
 
-    @cached_property
-    def _roots(self) -> Array:
-        return np.array([[clip.root_positions for clip in row] for row in self.motions])
+    def _make(self, path: int, timing: int) -> Clip:
+        kind, gain = _TIMINGS[timing], _GAINS[path]
+        if kind is not None:
+            return change_timing(self.motion(path, 1), Timing(kind, self.limbs))
+        if gain is not None:
+            return repair_feet(self.clip, change_path_length(self.clip, PathLength(gain)))
+        return self.clip
 
     def at(self, path: float, timing: float) -> Clip:
         """The weighted mean of the four motions around a point.
@@ -60,29 +71,20 @@ class NineMotions:
             MotionError: if a coordinate lies outside [0, 2].
         """
         weights = np.outer(_hat(path, "path"), _hat(timing, "timing"))
-        corners = np.argwhere(weights > 0)
+        corners = [(weights[i, j], self.motion(i, j)) for i, j in np.argwhere(weights > 0).tolist()]
         if len(corners) == 1:
-            return self.motions[corners[0][0]][corners[0][1]]
-        directions = sum(weights[i, j] * self._directions[i, j] for i, j in corners)
-        roots = sum(weights[i, j] * self._roots[i, j] for i, j in corners)
-        original = self.motions[1][1]
-        rotations = from_directions(np.asarray(directions))
-        return replace(original, rotations=rotations, root_positions=np.asarray(roots))
+            return corners[0][1]
+        rotations = np.empty_like(self.clip.rotations)
+        for start in range(0, self.clip.frames, _BLOCK):
+            part = slice(start, start + _BLOCK)
+            rotations[part] = weighted_mean([(w, clip.rotations[part]) for w, clip in corners])
+        roots = sum(weight * clip.root_positions for weight, clip in corners)
+        return replace(self.clip, rotations=rotations, root_positions=np.asarray(roots))
 
 
 def nine_motions(clip: Clip, limbs: tuple[str, ...] | None = None) -> NineMotions:
     """The grid of a clip: path length first, feet repaired on the two new paths, then timing."""
-    paths = [
-        clip if gain is None else repair_feet(clip, change_path_length(clip, PathLength(gain)))
-        for gain in (SHORTER, None, LONGER)
-    ]
-    rows = []
-    for path in paths:
-        even, as_is, added = (
-            path if kind is None else change_timing(path, Timing(kind, limbs)) for kind in _TIMINGS
-        )
-        rows.append((even, as_is, added))
-    return NineMotions(tuple(rows))
+    return NineMotions(clip, limbs)
 
 
 def cached_nine_motions(clip: Clip, limbs: tuple[str, ...] | None = None) -> NineMotions:
@@ -92,12 +94,10 @@ def cached_nine_motions(clip: Clip, limbs: tuple[str, ...] | None = None) -> Nin
         if key in _CACHE:
             _CACHE.move_to_end(key)
             return _CACHE[key]
-    made = nine_motions(clip, limbs)
-    with _LOCK:
-        _CACHE[key] = made
-        while len(_CACHE) > 1 and sum(nine.size for nine in _CACHE.values()) > _MOST:
+        made = _CACHE[key] = nine_motions(clip, limbs)
+        while len(_CACHE) > 1 and sum(n.clip.rotations.size // 4 for n in _CACHE.values()) > _MOST:
             _CACHE.popitem(last=False)
-    return made
+        return made
 
 
 def _hat(position: float, name: str) -> Array:
