@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+from functools import cache
+from typing import Any
 
-from sqlalchemy import delete, select
+from sqlalchemy import Insert, bindparam, delete, select
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Session
 
-from app.persistence.models import Blob, ClipRecord, FigureRecord
+from app.persistence.models import Base, Blob, ClipRecord, FigureRecord, now
 
 GLB = "model/gltf-binary"
 CLIP = "application/x-manner-clip"
@@ -18,10 +20,26 @@ BVH = "text/x-bvh"
 def put(db: Session, content: bytes, media_type: str) -> str:
     """Store the bytes unless they are there already; their hash."""
     digest = hashlib.sha256(content).hexdigest()
-    dialect = postgresql if db.get_bind().dialect.name == "postgresql" else sqlite
-    statement = dialect.insert(Blob).values(hash=digest, media_type=media_type, content=content)
-    db.execute(statement.on_conflict_do_nothing(index_elements=[Blob.hash]))
+    values = {"hash": digest, "media_type": media_type, "content": content, "created_at": now()}
+    insert_if_new(db, Blob, values)
     return digest
+
+
+def insert_if_new(db: Session, table: type[Base], values: dict[str, Any]) -> bool:
+    """Store a row unless one with its key is there; whether it was stored.
+
+    Left to the database, because another server may store the same at the same moment. The
+    statement is the same each time, without its values: SQLAlchemy then prepares it but once.
+    """
+    insert = _insert(db.get_bind().dialect.name, table, frozenset(values))
+    return bool(db.connection().execute(insert, values).rowcount)
+
+
+@cache
+def _insert(dialect: str, table: type[Base], columns: frozenset[str]) -> Insert:
+    kind = postgresql if dialect == "postgresql" else sqlite
+    row: dict[str, Any] = {name: bindparam(name) for name in columns}
+    return kind.insert(table.__table__).values(row).on_conflict_do_nothing()
 
 
 def content(db: Session, digest: str, media_type: str | None = None) -> bytes | None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sqlalchemy import Text, cast, func, or_, select, update
-from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Session
 
 from app.persistence import blobs
@@ -17,6 +16,7 @@ from app.persistence.models import (
     Response,
     Study,
     StudySession,
+    now,
 )
 
 
@@ -55,16 +55,10 @@ def put(db: Session, clip: ClipRecord) -> ClipRecord:
 
 
 def add(db: Session, clip: ClipRecord) -> bool:
-    """Store a clip unless one with its id is there; whether it was stored.
-
-    Left to the database, because another server may store the same clip at the same moment.
-    """
-    dialect = postgresql if db.get_bind().dialect.name == "postgresql" else sqlite
+    """Store a clip unless one with its id is there; whether it was stored."""
     given = {c.key: getattr(clip, c.key) for c in ClipRecord.__mapper__.column_attrs}
-    values = {name: value for name, value in given.items() if value is not None}
-    statement = dialect.insert(ClipRecord).values(values)
-    statement = statement.on_conflict_do_nothing(index_elements=[ClipRecord.id])
-    return bool(db.scalars(statement.returning(ClipRecord.id)).all())
+    given["created_at"] = clip.created_at or now()
+    return blobs.insert_if_new(db, ClipRecord, given)
 
 
 def contents(db: Session, ids: Iterable[str]) -> dict[str, bytes]:

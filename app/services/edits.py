@@ -185,8 +185,7 @@ def store(
 ) -> ClipRecord:
     """Keep an edited clip, unless it is there already; the caller commits."""
     made = _record(db, files, source, recipe, name, tags)
-    clips.add(db, made)
-    return clips.by_id(db, made.id) or made
+    return made if clips.add(db, made) else clips.by_id(db, made.id) or made
 
 
 def edited_id(source_id: str, recipe: Recipe) -> str:

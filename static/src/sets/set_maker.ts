@@ -1,6 +1,6 @@
 // Many clips at once: choose clips and presets, see what they come to, make them.
 
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { api, ApiError } from "../api";
 import type { components } from "../api-types";
@@ -38,14 +38,15 @@ export class SetMaker extends LitElement {
 
   private load(): Promise<void> {
     return this.attempt(async () => {
-      const [{ presets }, { jobs }] = await Promise.all([
+      const [{ presets }, { jobs }, { clips }] = await Promise.all([
         api.get<Schemas["PresetList"]>("/api/v1/presets"),
         api.get<Schemas["JobList"]>("/api/v1/jobs"),
-        this.loadClips(),
+        api.get<Schemas["ClipList"]>("/api/v1/clips"),
       ]);
-      this.presets = presets;
       const shown = location.hash.slice(1) || jobs.find(isOpen)?.id;
       if (shown) await this.watch.ask(shown);
+      this.presets = presets;
+      this.clips = clips;
     });
   }
 
@@ -118,13 +119,14 @@ export class SetMaker extends LitElement {
   }
 
   /** When the page turns from choosing to making or back, the focus goes along. */
-  protected override updated(changed: PropertyValues): void {
+  protected override updated(): void {
+    if (!this.clips) return;
     const { job } = this.watch;
     const stage = job ? (isOpen(job) ? "running" : "ended") : "choosing";
     if (this.dataset.stage && this.dataset.stage !== stage) {
       this.querySelector<HTMLElement>(job ? "#job-title" : "h1")?.focus();
     }
-    if (this.clips || !changed.has("clips" as keyof this)) this.dataset.stage = stage;
+    this.dataset.stage = stage;
   }
 
   protected override render(): TemplateResult {
