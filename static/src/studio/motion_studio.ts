@@ -61,14 +61,15 @@ export class MotionStudio extends LitElement {
   }
 
   private async begin(): Promise<void> {
-    const opening = this.wanted ? this.open(this.wanted) : Promise.resolve();
+    await Promise.all([this.wanted ? this.open(this.wanted) : this.picker.show(), this.stock()]);
+  }
+
+  private async stock(): Promise<void> {
     const [presets, operations, poses, clips] = await Promise.all([
       server.presets(), server.operations(), server.poses(), server.clips(),
     ]);
     this.offers = { presets, operations, poses };
     this.clips = clips;
-    await opening;
-    if (!this.wanted) this.picker.show();
   }
 
   /** Open a clip: a source as it is, an edited one as the recipe that made it. */
@@ -247,6 +248,7 @@ export class MotionStudio extends LitElement {
           ready: () => this.onReady(),
           motion: () => this.onMotion(),
           choose: () => this.picker.show(),
+          again: () => void this.attempt(() => this.begin()),
           arrange: (arrangement) => {
             this.arrangement = arrangement;
             this.compare(false);

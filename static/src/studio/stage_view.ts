@@ -16,6 +16,7 @@ export interface StageActs {
   ready(): void;
   motion(): void;
   choose(): void;
+  again(): void;
   arrange(arrangement: StageState["arrangement"]): void;
 }
 
@@ -23,7 +24,7 @@ export function stage(session: Session | null, state: StageState, acts: StageAct
   return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session !== null && !session.isShown}>
     ${session ? figures(session, acts) : empty(state, acts)}
     ${session ? tools(state, acts) : nothing}
-    <div class="stage-notes">${notes(session, state)}</div>
+    <div class="stage-notes">${notes(session, state, acts)}</div>
   </section>`;
 }
 
@@ -46,9 +47,11 @@ function tools({ arrangement }: StageState, acts: StageActs): TemplateResult {
     </div>`;
 }
 
-function notes(session: Session | null, { failure }: StageState): TemplateResult | typeof nothing {
+function notes(session: Session | null, { failure }: StageState, { again }: StageActs): TemplateResult | typeof nothing {
   if (session?.problem) return trouble(session.problem, session);
-  if (failure) return note(failure.message, failure.mend);
+  if (failure) {
+    return note(failure.message, failure.mend, html`<button class="link-button" type="button" @click=${again}>Load the studio again</button>`);
+  }
   if (!session?.fromDraft) return nothing;
   return html`<div class="note" role="status">${icon("info")}<p>These are your edits of last time, not yet saved.
     <button class="link-button" type="button" @click=${() => session.startOver()}>Start over</button></p></div>`;
