@@ -3,6 +3,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { api, ApiError } from "../api";
 import { icon } from "../icons";
+import { Latest } from "../studio/latest";
 import { amountSlider } from "../studio/slider";
 import type { MotionViewer } from "../viewer";
 import { graphMap } from "./graph_map";
@@ -26,6 +27,8 @@ const POSTURES: [name: string, label: string][] = [
   ["hands_away_and_feet_apart", "Hands and feet apart"],
 ];
 
+type Limits = Pick<GraphDetail, "threshold" | "fade">;
+type Draft = Limits & { found: GraphTransitions | null };
 type Change = Partial<Pick<GraphDetail, "name" | "threshold" | "fade" | "removed" | "added">>;
 
 @customElement("graph-page")
@@ -43,8 +46,9 @@ export class GraphPage extends LitElement {
   @state() private filter = { from: "", to: "" };
   @state() private most = ROWS;
   /** What threshold and fade would give while their sliders move. */
-  @state() private draft: (Change & { found?: GraphTransitions }) | null = null;
+  @state() private draft: Draft | null = null;
   @state() private saving = false;
+  private readonly previews = new Latest<Draft>((draft) => this.preview(draft));
   private readonly keys = new HeldKeys((direction) => this.hold(direction));
 
   protected override createRenderRoot(): HTMLElement {
@@ -154,7 +158,7 @@ export class GraphPage extends LitElement {
   // Changing
 
   private request(change: Change): Omit<GraphDetail, "id" | "kind" | "members" | "fade_frames" | "transitions" | "dead_ends"> {
-    const { name, clips, threshold, fade, removed = [], added = [] } = this.detail!;
+    const { name, clips, threshold, fade, removed, added } = this.detail!;
     return { name, clips, threshold, fade, removed, added, ...change };
   }
 
@@ -167,20 +171,18 @@ export class GraphPage extends LitElement {
     this.saving = false;
   }
 
-  /** Latest wins: one preview on its way, and only the newest after it. */
-  private async tryOut(change: Change): Promise<void> {
-    const busy = this.draft !== null && !this.draft.found;
-    this.draft = { ...this.draft, ...change, found: undefined! };
-    if (busy) return;
-    for (let tried: Change | null = null; this.draft && tried?.threshold !== this.draft.threshold || tried?.fade !== this.draft?.fade; ) {
-      tried = { threshold: this.draft!.threshold, fade: this.draft!.fade };
-      const { name: _, ...shape } = this.request({ threshold: tried.threshold ?? this.detail!.threshold, fade: tried.fade ?? this.detail!.fade });
-      await this.attempt(async () => {
-        const found = await api.post<GraphTransitions>("/api/v1/graphs/preview", shape);
-        if (this.draft && this.draft.threshold === tried!.threshold && this.draft.fade === tried!.fade) this.draft = { ...this.draft, found };
-      });
-      if (this.problem) return;
-    }
+  private tryOut(limits: Partial<Limits>): void {
+    const { threshold, fade } = this.detail!;
+    this.draft = { threshold, fade, ...this.draft, ...limits, found: null };
+    this.previews.ask(this.draft);
+  }
+
+  private async preview(draft: Draft): Promise<void> {
+    const { name: _, ...shape } = this.request({ threshold: draft.threshold, fade: draft.fade });
+    await this.attempt(async () => {
+      const found = await api.post<GraphTransitions>("/api/v1/graphs/preview", shape);
+      if (this.draft === draft) this.draft = { ...draft, found };
+    });
   }
 
   private async copy(): Promise<void> {
@@ -190,7 +192,7 @@ export class GraphPage extends LitElement {
     });
   }
 
-  private async remove(): Promise<void> {
+  private async discard(): Promise<void> {
     if (!confirm(`Delete “${this.detail!.name}”? Its clips stay in the library.`)) return;
     await this.attempt(async () => {
       await api.delete(this.address);
@@ -219,7 +221,7 @@ export class GraphPage extends LitElement {
         : html`<h1>${detail.name}</h1>`}
       <div class="buttons">
         <button class="button" type="button" @click=${() => void this.copy()}>${icon("copy")}${this.own ? "Copy" : "Copy and change"}</button>
-        ${this.own ? html`<button class="button danger" type="button" @click=${() => void this.remove()}>Delete</button>` : nothing}
+        ${this.own ? html`<button class="button danger" type="button" @click=${() => void this.discard()}>Delete</button>` : nothing}
       </div></header>`;
   }
 
@@ -235,8 +237,8 @@ export class GraphPage extends LitElement {
             more: () => (this.most += 2 * ROWS),
             show: (transition) => this.show(transition),
             remove: (transition) => void this.leaveOut(transition),
-            restore: (key) => void this.save({ removed: (detail.removed ?? []).filter((one) => !sameKey(one, key)) }),
-            add: (key) => void this.save({ added: [...(detail.added ?? []), key] }),
+            restore: (key) => void this.save({ removed: detail.removed.filter((one) => !sameKey(one, key)) }),
+            add: (key) => void this.save({ added: [...detail.added, key] }),
           },
         )}</section>
     </div>`;
@@ -244,7 +246,7 @@ export class GraphPage extends LitElement {
 
   /** One that was added by hand is simply gone; one that was found is remembered as left out. */
   private async leaveOut(transition: Key & { added: boolean }): Promise<void> {
-    const { removed = [], added = [] } = this.detail!;
+    const { removed, added } = this.detail!;
     if (transition.added) await this.save({ added: added.filter((one) => !sameKey(one, transition)) });
     else await this.save({ removed: [...removed, keyOf(transition)] });
   }
@@ -261,7 +263,7 @@ export class GraphPage extends LitElement {
     }
     const known = directionsOf(detail.members.map(({ name }) => name));
     return html`<motion-viewer src=${first.glb_url} figure=${first.figure_url} theme="auto" controls="views"
-        label="The steered character" @ready=${this.onReady}></motion-viewer>
+        aria-label="The steered character" @ready=${this.onReady}></motion-viewer>
       ${this.trouble ? html`<p class="note stage-note" role="status">${icon("info")}<span>${this.trouble.message}</span></p>` : nothing}
       <div class="steering"><p class="tiny steering-state">${this.whereabouts(detail)}</p>
         ${pad(known, this.held ?? this.pressed, (direction) => this.press(direction))}
@@ -284,10 +286,10 @@ export class GraphPage extends LitElement {
     const changed = JSON.stringify(this.manner) !== JSON.stringify(neutral());
     return html`<section @pointerup=${leaveSlider}><header><h2>How it moves</h2>
         <button class="link-button" type="button" ?hidden=${!changed} @click=${() => this.move(neutral())}>Reset</button></header>
-      ${amount("Path length", path ?? 1, [0, 2, 1], (value) => this.move({ path: value }))}
-      ${amount("Timing", timing ?? 1, [0, 2, 1], (value) => this.move({ timing: value }))}
+      ${amount("Path length", path, [0, 2, 1], (value) => this.move({ path: value }))}
+      ${amount("Timing", timing, [0, 2, 1], (value) => this.move({ timing: value }))}
       ${POSTURES.map(([name, label]) =>
-        amount(label, postures?.[name] ?? 0, [-1, 2, 0], (value) => this.move({ postures: { ...postures, [name]: value } })),
+        amount(label, postures[name] ?? 0, [-1, 2, 0], (value) => this.move({ postures: { ...postures, [name]: value } })),
       )}</section>`;
   }
 
@@ -311,7 +313,7 @@ export class GraphPage extends LitElement {
     const found = this.draft ? this.draft.found : detail;
     const slider = (label: string, value: number, unit: string, range: [number, number, number], name: "threshold" | "fade", scale: number) => html`<label class="limit">
       <span>${label}</span><input type="range" min=${range[0]} max=${range[1]} step=${range[2]} .value=${String(value)} ?disabled=${!this.own}
-        aria-valuetext="${value} ${unit}" @input=${(event: Event) => void this.tryOut({ [name]: Number((event.target as HTMLInputElement).value) / scale })}
+        aria-valuetext="${value} ${unit}" @input=${(event: Event) => this.tryOut({ [name]: Number((event.target as HTMLInputElement).value) / scale })}
         @change=${(event: Event) => void this.save({ [name]: Number((event.target as HTMLInputElement).value) / scale })}>
       <span class="number">${value} ${unit}</span></label>`;
     return html`<section @pointerup=${leaveSlider}><header><h2>Likeness</h2>

@@ -1,6 +1,6 @@
 // Pieces of motion put end to end, and the pose of any moment between their frames. No DOM in here.
 
-import type { Key, Piece, Place } from "./model";
+import type { Piece, Place } from "./model";
 
 /** A piece that is queued: its frames, where it began and where it leads. */
 export interface Queued {
@@ -54,7 +54,7 @@ export class PoseStream {
   /** What is shown at a moment. */
   at(time: number): Queued | null {
     const frame = Math.floor(time / this.frameTime + 1e-6);
-    return this.queue.findLast(({ first }) => first <= frame) ?? this.queue[0] ?? null;
+    return this.queued(frame) ?? this.queue[0] ?? null;
   }
 
   /** The pose of a moment: root x, y, z, then a quaternion x, y, z, w a joint; null before the first. */
@@ -77,8 +77,13 @@ export class PoseStream {
     }
   }
 
+  /** The piece that a frame belongs to. */
+  private queued(frame: number): Queued | undefined {
+    return [...this.queue].reverse().find(({ first }) => first <= frame);
+  }
+
   private frame(number: number): Float32Array | null {
-    const piece = this.queue.findLast(({ first }) => first <= number);
+    const piece = this.queued(number);
     if (!piece) return this.lastFrame;
     return number < piece.first + piece.count ? row(piece, number - piece.first) : null;
   }
@@ -120,5 +125,3 @@ function mix(
     for (let k = 0; k < 4; k += 1) out.rotations[i - 3 + k]! /= Math.sqrt(length);
   }
 }
-
-export type { Key };

@@ -89,7 +89,7 @@ function addition(graph: GraphDetail, acts: TableActs): TemplateResult {
 }
 
 function removals(graph: GraphDetail, acts: TableActs): TemplateResult | typeof nothing {
-  const removed = graph.removed ?? [];
+  const { removed } = graph;
   if (!removed.length) return nothing;
   const frameTime = graph.members[0]!.frame_time;
   return html`<details class="removals"><summary>${removed.length} removed by hand</summary><ul class="rows">

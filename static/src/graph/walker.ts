@@ -52,7 +52,7 @@ export class Walker {
   ) {
     this.stream = new PoseStream(frameTime);
     this.wanted = place.clip;
-    this.manner = place.manner ?? { path: 1, timing: 1, postures: {} };
+    this.manner = place.manner;
   }
 
   start(): void {
