@@ -1,4 +1,4 @@
-"""The researchers' pages: their studies, one study's results, its raw answers and figures.
+"""The researchers' pages: their studies, one study's results and figures.
 
 What the templates of `templates/research/` are given:
 
@@ -17,13 +17,13 @@ from __future__ import annotations
 from typing import Literal
 
 from fastapi import APIRouter, Request
-from fastapi.responses import RedirectResponse, Response, StreamingResponse
+from fastapi.responses import RedirectResponse, Response
 
-from app.dependencies import CurrentDatabase, Reading, SignedIn
+from app.dependencies import Reading, SignedIn
 from app.pages import render
 from app.schemas.errors import ErrorResponse
 from app.schemas.results import StudyResults
-from app.services import charts, exports, studies
+from app.services import charts, studies
 from app.services import results as results_service
 
 router = APIRouter(prefix="/research", include_in_schema=False)
@@ -65,16 +65,6 @@ def show_counts(request: Request, _: SignedIn, slug: str, db: Reading) -> Respon
     study = studies.find(db, slug)
     return render(
         request, "research/counts.html", counts=results_service.counts(db, slug), study=study
-    )
-
-
-@router.get("/studies/{slug}/responses.csv")
-def download_responses(_: SignedIn, slug: str, database: CurrentDatabase) -> StreamingResponse:
-    """The raw answers, one row an answer."""
-    return StreamingResponse(
-        exports.responses_csv(database, slug),
-        media_type="text/csv; charset=utf-8",
-        headers={"Content-Disposition": f'attachment; filename="{slug}-responses.csv"'},
     )
 
 

@@ -1,49 +1,159 @@
-"""The raw answers as a table: one row an answer, streamed, safe to open in a spreadsheet."""
+"""The raw answers as tables, streamed: long and wide CSV, JSON lines, and their codebooks."""
 
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from io import StringIO
-from typing import Any
+from itertools import groupby
+from typing import Any, NamedTuple
+
+import orjson
 
 from app.persistence import responses
 from app.persistence.engine import Database
-from app.persistence.models import Response, Study, StudySession
+from app.persistence.models import Study
+from app.schemas.codebook import Codebook, Table
 from app.schemas.study import StudyDefinition
+from app.services.export_columns import Row, about_participant, long_fields, wide_columns
 from app.services.studies import definition_of, find
 
-ROWS_AT_ONCE = 200
+PIECE = 32_000  # characters, about
 # What spreadsheets take for the beginning of a formula, full-width forms included.
 DANGEROUS = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
-BEFORE_SCALES = (
-    "study", "study_hash", "session", "session_state", "consent_version", "device", "seed",
-    "trial_type", "trial_index", "practice", "revision", "newest",
-    "stimulus", "body", "style", "stimulus_hash",
-)  # fmt: skip
-RECORDED = (
-    "plays", "viewing_ms", "camera_moves", "hidden_ms", "blur_count", "dropped_frames", "tier",
-)  # fmt: skip
-VIEWPORT = ("width", "height", "pixel_ratio")
-AFTER_SCALES = (
-    "touched", "comment", "rt_ms", "time_elapsed_ms", *RECORDED,
-    *(f"viewport_{part}" for part in VIEWPORT), "client_time", "received_at",
-)  # fmt: skip
 
 
-def responses_csv(database: Database, slug: str) -> Iterator[str]:
-    """Every stored answer of a study as CSV text, a piece at a time.
+class Exported(NamedTuple):
+    """A study whose answers are asked for.
 
-    The study is looked up before the first piece, so that a wrong address is still an error page.
+    It is looked up before the first piece is sent, so that a wrong address is still an error page.
+    """
+
+    database: Database
+    study: Study
+    definition: StudyDefinition
+
+    def rows(self) -> Iterator[Row]:
+        """Every stored answer, one participant's together."""
+        stimuli = {stimulus.clip: stimulus for stimulus in self.definition.stimuli}
+        with self.database.reading() as session:
+            for answer, participant, superseded in responses.stream(session, self.study):
+                shown = stimuli[answer.clip_id]
+                yield Row(self.study, participant, answer, shown, not superseded)
+
+    def by_participant(self) -> Iterator[list[Row]]:
+        """The same, a participant at a time."""
+        for _, rows in groupby(self.rows(), lambda row: row.participant.id):
+            yield list(rows)
+
+
+def exported(database: Database, slug: str) -> Exported:
+    """The study at this address.
+
+    Raises:
+        NotFoundError: there is none.
     """
     with database.reading() as session:
         study = find(session, slug)
-    return _pieces(database, study, definition_of(study))
+    return Exported(database, study, definition_of(study))
 
 
-def columns(definition: StudyDefinition) -> list[str]:
-    """The table's columns: one a scale between what was shown and how it was answered."""
-    return [*BEFORE_SCALES, *(scale.id for scale in definition.scales), *AFTER_SCALES]
+def responses_csv(database: Database, slug: str) -> Iterator[str]:
+    """Every stored answer of a study as CSV text, one row an answer, a piece at a time."""
+    found = exported(database, slug)
+    return csv_pieces(columns(found.definition), answer_cells(found.definition, found.rows()))
+
+
+def wide_csv(database: Database, slug: str) -> Iterator[str]:
+    """One row a participant: of each clip its place in the order and its newest answer."""
+    found = exported(database, slug)
+    heads = columns(found.definition, "wide")
+    return csv_pieces(
+        heads, (_wide_cells(found.definition, rows) for rows in found.by_participant())
+    )
+
+
+def responses_jsonl(database: Database, slug: str) -> Iterator[bytes]:
+    """The long table as JSON lines: numbers are numbers, text stands as it was written."""
+    found = exported(database, slug)
+    names = columns(found.definition)
+    return _gathered(
+        orjson.dumps(dict(zip(names, cells, strict=True)), option=orjson.OPT_APPEND_NEWLINE)
+        for cells in answer_cells(found.definition, found.rows())
+    )
+
+
+def codebook(database: Database, slug: str, table: Table = "long") -> Codebook:
+    """What the columns of a table mean."""
+    return codebook_of(exported(database, slug), table)
+
+
+def codebook_of(found: Exported, table: Table = "long") -> Codebook:
+    """The same, of a study already at hand."""
+    definition = found.definition
+    wide = table == "wide"
+    return Codebook(
+        study=definition.slug,
+        study_hash=found.study.definition_hash,
+        title=definition.title,
+        table=table,
+        columns=tuple(
+            wide_columns(definition)
+            if wide
+            else (field.column for field in long_fields(definition))
+        ),
+    )
+
+
+def codebook_csv(book: Codebook) -> Iterator[str]:
+    """A codebook as a table, one row a column; levels as “label = value; …”."""
+    rows = (
+        [
+            column.name, column.meaning, column.type, column.unit,
+            "; ".join(f"{level.label} = {level.value}" for level in column.levels),
+        ]
+        for column in book.columns
+    )  # fmt: skip
+    return csv_pieces(["column", "meaning", "type", "unit", "levels"], rows)
+
+
+def columns(definition: StudyDefinition, table: Table = "long") -> list[str]:
+    """The names of a table's columns."""
+    if table == "wide":
+        return [column.name for column in wide_columns(definition)]
+    return [field.column.name for field in long_fields(definition)]
+
+
+def answer_cells(definition: StudyDefinition, rows: Iterable[Row]) -> Iterator[list[Any]]:
+    """The cells of the long table."""
+    values = [field.value for field in long_fields(definition)]
+    for row in rows:
+        yield [value(row) for value in values]
+
+
+def csv_pieces(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str]:
+    """A table as CSV text, safe to open in a spreadsheet."""
+    buffer = StringIO()
+    write = csv.writer(buffer).writerow
+    write(heads)
+    for cells in rows:
+        write([safe(cell) for cell in cells])
+        if buffer.tell() > PIECE:
+            yield buffer.getvalue()
+            buffer.seek(0)
+            buffer.truncate()
+    yield buffer.getvalue()
+
+
+def _gathered(lines: Iterable[bytes]) -> Iterator[bytes]:
+    """The lines in pieces worth sending."""
+    piece = bytearray()
+    for line in lines:
+        piece += line
+        if len(piece) > PIECE:
+            yield bytes(piece)
+            piece.clear()
+    yield bytes(piece)
 
 
 def safe(cell: object) -> object:
@@ -51,45 +161,11 @@ def safe(cell: object) -> object:
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(DANGEROUS) else cell
 
 
-def _pieces(database: Database, study: Study, definition: StudyDefinition) -> Iterator[str]:
-    buffer = StringIO()
-    write = csv.writer(buffer).writerow
-    write(columns(definition))
-    row_of = _row_maker(study, definition)
-    with database.reading() as session:
-        for count, (answer, participant, superseded) in enumerate(responses.stream(session, study)):
-            write([safe(cell) for cell in row_of(answer, participant, not superseded)])
-            if count % ROWS_AT_ONCE == 0:
-                yield _taken(buffer)
-    yield _taken(buffer)
-
-
-def _taken(buffer: StringIO) -> str:
-    text = buffer.getvalue()
-    buffer.seek(0)
-    buffer.truncate()
-    return text
-
-
-def _row_maker(
-    study: Study, definition: StudyDefinition
-) -> Callable[[Response, StudySession, bool], list[Any]]:
-    stimuli = {stimulus.clip: stimulus for stimulus in definition.stimuli}
-    scales = [scale.id for scale in definition.scales]
-
-    def row(answer: Response, participant: StudySession, newest: bool) -> list[Any]:
-        shown, record = stimuli[answer.clip_id], answer.record
-        viewport = record.get("viewport") or {}
-        return [
-            study.slug, study.definition_hash, participant.id, participant.state,
-            participant.consent_version, participant.user_agent_class, participant.seed,
-            "semantic_differential", answer.trial_index, int(answer.practice), answer.revision,
-            int(newest), shown.name, shown.body, shown.style, shown.clip,
-            *(answer.answers[scale] for scale in scales),
-            " ".join(record.get("touched", ())), answer.comment, answer.rt_ms,
-            record.get("time_elapsed_ms"), *(record.get(name) for name in RECORDED),
-            *(viewport.get(part) for part in VIEWPORT),
-            record.get("client_time"), answer.received_at.isoformat(),
-        ]  # fmt: skip
-
-    return row
+def _wide_cells(definition: StudyDefinition, rows: list[Row]) -> list[Any]:
+    cells = [field.value(rows[-1]) for field in about_participant()]
+    counted = {row.shown.clip: row.answer for row in rows if row.newest and not row.answer.practice}
+    for stimulus in definition.stimuli:
+        answer = counted.get(stimulus.clip)
+        cells.append(answer.trial_index if answer else None)
+        cells += [answer.answers.get(scale.id) if answer else None for scale in definition.scales]
+    return cells
