@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
+
 from fastapi import APIRouter, Request
 from fastapi.responses import HTMLResponse
 
 from app.dependencies import MaybeResearcher, Reading
 from app.pages import render
-from app.services import landing, library
+from app.services import catalogue, landing, library
 
 router = APIRouter(include_in_schema=False)
 
@@ -31,7 +33,10 @@ def clip_page(
 ) -> HTMLResponse:
     """One clip in the viewer."""
     clip = library.detail(db, clip_id, signed_in=researcher is not None)
-    return render(request, "clip.html", clip=clip, section="library")
+    recipe = clip.provenance.recipe if clip.provenance else []
+    steps = catalogue.in_words(recipe) if recipe else []
+    written = json.dumps([step.model_dump() for step in recipe], indent=2)
+    return render(request, "clip.html", clip=clip, steps=steps, recipe=written, section="library")
 
 
 @router.get("/no-webgl")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from sqlalchemy.orm import Session
 
@@ -20,6 +22,7 @@ from app.schemas.edits import (
     PresetList,
     PresetView,
 )
+from app.schemas.library import Step
 from app.services import library
 from app.workers import Workers
 
@@ -66,6 +69,21 @@ def presets() -> PresetList:
         for preset in PRESETS.values()
     ]
     return PresetList(presets=views)
+
+
+def in_words(recipe: Sequence[Step]) -> list[tuple[str, list[str]]]:
+    """Title of each step and what it was given, as people read it."""
+    from motion.recipe import OPERATIONS
+
+    told = []
+    for step in recipe:
+        operation = OPERATIONS.get(step.operation)
+        if operation is None:  # of an engine that knew it
+            told.append((step.operation, [f"{n} {v}" for n, v in step.parameters.items()]))
+        else:
+            schema = dict(operation.to_schema())
+            told.append((operation.title, list(_members(schema, step.parameters))))
+    return told
 
 
 def listed_poses(db: Session) -> PoseList:
@@ -133,6 +151,28 @@ def delete_pose(db: Session, pose_id: str) -> None:
         )
     poses.delete(db, pose)
     db.commit()
+
+
+def _members(schema: Mapping[str, Any], values: Mapping[str, Any]) -> Iterator[str]:
+    for name, value in values.items():
+        about = schema["properties"].get(name, {"title": name})
+        if isinstance(value, list) and value and isinstance(value[0], dict):
+            for entry in value:
+                yield ", ".join(_members(about["items"], entry))
+        elif value is not None and value != []:
+            yield f"{about['title']}: {_value(value, about.get('unit', ''))}"
+
+
+def _value(value: object, unit: str) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        number = f"{value:.3g}".replace("-", "−")
+        return number if not unit else f"{number}{'' if unit == '°' else ' '}{unit}"
+    if isinstance(value, list):
+        return ", ".join(_value(one, "") for one in value)
+    text = str(value)
+    return f"{text[:8]}…" if len(text) == 64 else text.replace("_", " ")
 
 
 def _operation(key: str) -> OperationView:
