@@ -35,7 +35,7 @@ _REPRESENTATIONS: Mapping[str, tuple[Callable[[Array], Array], Callable[[Array],
 }
 
 _CENTRE, _NEAR, _FAR = 3 / 8, 1 / 4, 1 / 16  # the kernel c b a b c
-_CHANNELS = 32  # filtered at once: few enough to stay in the processor's cache
+_AT_ONCE = 32_000  # samples filtered at once, to stay in the processor's cache
 
 
 @dataclass(frozen=True)
@@ -115,11 +115,12 @@ def scale_bands(
     levels = [(float(g), s) for g, s in zip(centres, _spacings(len(signal)), strict=True)]
     while levels and levels[-1][0] == 1.0:
         levels.pop()
-    result = np.empty_like(signal)
-    for start in range(0, signal.shape[1], _CHANNELS):
-        part = slice(start, start + _CHANNELS)
-        result[:, part] = _scaled(np.ascontiguousarray(signal[:, part].T), levels, cyclic).T
-    return result
+    channels = np.array(signal.T, order="C")
+    count = max(1, _AT_ONCE // len(signal))
+    for start in range(0, len(channels), count):
+        part = slice(start, start + count)
+        channels[part] = _scaled(channels[part], levels, cyclic)
+    return np.ascontiguousarray(channels.T)
 
 
 def _scaled(signal: Array, levels: list[tuple[float, int]], cyclic: bool) -> Array:
