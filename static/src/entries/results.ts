@@ -1,10 +1,15 @@
 import "../styles/results.css";
+import "../styles/downloads.css";
 import "../results/axis_charts";
 import { copyButtons } from "../results/copy";
+import { closingMenu } from "../results/menu";
 import { followCounts } from "../results/live_counts";
 import { choose, poleTable } from "../results/pole_table";
 
 copyButtons();
+
+const downloads = document.querySelector<HTMLDetailsElement>("details.downloads");
+if (downloads) closingMenu(downloads);
 
 const counts = document.getElementById("counts");
 if (counts) {
