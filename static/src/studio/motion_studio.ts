@@ -6,6 +6,7 @@ import type { MotionViewer } from "../viewer";
 import { CompareKey } from "./compare_key";
 import { movementPanel, type Offers } from "./movement_panel";
 import type { ClipPicker } from "./picker";
+import type { Steps } from "./recipe";
 import { resultPanel, type ResultActs } from "./result_panel";
 import * as server from "./server";
 import { asApiError, Session } from "./session";
@@ -30,6 +31,7 @@ export class MotionStudio extends LitElement {
   @state() private drawer: Drawer | null = null;
   @state() private busy = false;
   @state() private said = "";
+  @state() private eased: { steps: Steps; words: string } | null = null;
   @query("motion-viewer") private viewer!: MotionViewer | null;
   @query("clip-picker") private picker!: ClipPicker;
   /** The viewer of the clip on the stage, once it is ready. */
@@ -61,6 +63,7 @@ export class MotionStudio extends LitElement {
   }
 
   private async begin(): Promise<void> {
+    await this.updateComplete;
     await Promise.all([this.wanted ? this.open(this.wanted) : this.picker.show(), this.stock()]);
   }
 
@@ -176,7 +179,12 @@ export class MotionStudio extends LitElement {
       else session.undo();
     } else if (key === "c" && !event.altKey) this.compareKey.down(event);
     else if (key === "g" && !event.altKey) this.toggleGhost();
-    else if (key === "escape") this.drawer = null;
+    else if (key === "escape") this.closeDrawer();
+  }
+
+  private closeDrawer(): void {
+    this.querySelector<HTMLElement>(".drawer-acts [aria-expanded=true]")?.focus();
+    this.drawer = null;
   }
 
   private toggleGhost(): void {
@@ -215,12 +223,17 @@ export class MotionStudio extends LitElement {
       seek: (finding) => this.seek(finding.start),
       easeOff: () => void this.attempt(async () => {
         const share = await this.session!.easeOff();
-        this.said = share < 1 ? `Eased off to ${Math.round(share * 100)} %` : "";
+        this.eased = { steps: this.session!.steps, words: `Eased off to ${Math.round(share * 100)} % of what it was.` };
       }),
       open: (id) => void this.attempt(() => this.open(id)),
       download: (suffix) => void this.download(suffix),
       copied: (words) => (this.said = words),
     };
+  }
+
+  /** Said as long as the eased recipe stands. */
+  private get easedWords(): string {
+    return this.eased && this.eased.steps === this.session?.steps ? this.eased.words : "";
   }
 
   private seek(time: number): void {
@@ -256,7 +269,7 @@ export class MotionStudio extends LitElement {
         })}
         ${session ? this.strip(session) : nothing}
         <aside class="side results" aria-label="What came of it">
-          ${session ? resultPanel(session, { variants, said: this.said, busy: this.busy }, this.resultActs) : nothing}</aside>
+          ${session ? resultPanel(session, { variants, said: this.said, eased: this.easedWords, busy: this.busy }, this.resultActs) : nothing}</aside>
       </div>
       <clip-picker .clips=${this.clips} @pick=${({ detail }: CustomEvent<string>) => void this.attempt(() => this.open(detail))}></clip-picker>`;
   }

@@ -16,8 +16,10 @@ export interface ResultActs {
 
 export interface ResultState {
   variants: Clip[];
-  /** What was done last, in words: copied, eased off. */
+  /** What was copied, in words. */
   said: string;
+  /** How far the edit was eased off, in words. */
+  eased: string;
   busy: boolean;
 }
 
@@ -27,7 +29,7 @@ export function resultPanel(session: Session, state: ResultState, acts: ResultAc
   return html`${checks(session, state, acts)} ${variants(session, state, acts)} ${exports(session, state, acts)}`;
 }
 
-function checks(session: Session, { busy }: ResultState, acts: ResultActs): TemplateResult {
+function checks(session: Session, { busy, eased }: ResultState, acts: ResultActs): TemplateResult {
   const report = session.checked?.report;
   const shown = report?.findings.slice(0, SHOWN) ?? [];
   const more = (report?.findings.length ?? 0) - shown.length;
@@ -38,7 +40,8 @@ function checks(session: Session, { busy }: ResultState, acts: ResultActs): Temp
       ${report ? fineLines(report.findings).map((words) => html`<li class="fine">${icon("check")}<p>${words}</p></li>`) : nothing}</ul>
     ${report && !report.clean && session.steps.length
       ? html`<button class="button wide" type="button" ?disabled=${busy} @click=${acts.easeOff}>Ease off until all is well</button>`
-      : nothing}</section>`;
+      : nothing}
+    <p class="tiny" role="status">${eased}</p></section>`;
 }
 
 const fault = (finding: Finding, { seek }: ResultActs) => html`<li class="fault">${icon("warning")}

@@ -33,7 +33,7 @@ export class Session {
   private shown: Edit | null = null;
   /** A draft of an earlier visit is what is shown. */
   fromDraft = false;
-  /** The moment of the event that asks for the next motion. */
+  /** The moment of the event that asks for the next motion; 0 where none is measured. */
   askedAt = 0;
   private readonly motions = new Map<string, Promise<ArrayBuffer>>();
   private readonly shows = new Latest<Edit>((edit) => this.show(edit));
@@ -171,6 +171,7 @@ export class Session {
 
   private async show(edit: Edit): Promise<void> {
     const { askedAt } = this;
+    this.askedAt = 0;
     try {
       const glb = await this.motionOf(edit.steps);
       this.stage(glb, askedAt);
