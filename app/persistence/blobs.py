@@ -39,7 +39,9 @@ def insert_if_new(db: Session, table: type[Base], values: dict[str, Any]) -> boo
 def _insert(dialect: str, table: type[Base], columns: frozenset[str]) -> Insert:
     kind = postgresql if dialect == "postgresql" else sqlite
     row: dict[str, Any] = {name: bindparam(name) for name in columns}
-    return kind.insert(table.__table__).values(row).on_conflict_do_nothing()
+    insert = kind.insert(table.__table__).values(row).on_conflict_do_nothing()
+    # PostgreSQL's driver has forgotten the number by the time that we ask, unless told to keep it.
+    return insert.execution_options(preserve_rowcount=True)
 
 
 def content(db: Session, digest: str, media_type: str | None = None) -> bytes | None:
