@@ -15,7 +15,7 @@ export interface Finding {
 const WORDS: Record<string, [fault: string, fine: string]> = {
   "foot slip": ["slides", "Planted feet hold within 5 mm"],
   floor: ["sinks", "Nothing sinks into the floor"],
-  "joint range": ["bends too far, by", "Joints bend as far as joints do"],
+  "joint range": ["bends", "Joints bend as far as joints do"],
   intersection: ["enters the body by", "Limbs stay out of the body"],
   balance: ["tips over by", "The body stays in balance"],
   jerk: ["jerks", "No new jerks"],

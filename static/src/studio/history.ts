@@ -33,6 +33,11 @@ export class History<T> {
     this.last = { control, at: now };
   }
 
+  /** A gesture is under way. */
+  get isHeld(): boolean {
+    return this.held;
+  }
+
   /** A pointer went down: all until it is released is one entry. */
   hold(): void {
     this.held = true;

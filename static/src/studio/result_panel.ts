@@ -47,7 +47,7 @@ function checks(session: Session, { busy, eased }: ResultState, acts: ResultActs
 const fault = (finding: Finding, { seek }: ResultActs) => html`<li class="fault">${icon("warning")}
   <p>${faultWords(finding)} <b>${sizeWords(finding.size, finding.unit)}</b>
     <button class="link-button" type="button" @click=${() => seek(finding)}>${timeWords(finding)}</button>
-    <span class="tiny">${sizeWords(finding.limit, finding.unit)} would do</span></p></li>`;
+    <span class="tiny">${sizeWords(finding.limit, finding.unit)} allowed</span></p></li>`;
 
 function variants(session: Session, { variants }: ResultState, { open }: ResultActs): TemplateResult {
   return html`<section class="variants"><header><h2>Variants</h2><span class="tiny">of ${session.source.name}</span></header>

@@ -38,7 +38,10 @@ export class Session {
   private readonly motions = new Map<string, Promise<ArrayBuffer>>();
   private readonly shows = new Latest<Edit>((edit) => this.show(edit));
   private readonly checks = new Latest<Edit>((edit) => this.check(edit));
-  private readonly checkSoon = debounced((edit: Edit) => this.checks.ask(edit), CHECK_AFTER);
+  /** Not during a drag: its motions are made by the process that would check. */
+  private readonly checkSoon: (edit: Edit) => void = debounced(
+    (edit) => (this.history.isHeld ? this.checkSoon(edit) : this.checks.ask(edit)), CHECK_AFTER,
+  );
 
   constructor(
     readonly source: server.Clip,
