@@ -63,6 +63,7 @@ def test_foergers_twenty_clips_are_made_by_one_button(research_page: Page, serve
     page.go_back()  # the address keeps the set
     expect(page.get_by_role("heading", name="All 20 clips are made.")).to_be_visible()
     page.get_by_role("button", name="Another set").click()
+    page.get_by_role("button", name="Förger’s 20 modified clips").click()
     expect(page.get_by_text("all in the library already")).to_be_visible()
 
 
