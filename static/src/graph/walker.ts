@@ -149,8 +149,8 @@ export class Walker {
     } catch (error) {
       if (life !== this.life) return;
       if (!(error instanceof ApiError)) throw error;
-      this.waitUntil = performance.now() / 1000 + PATIENCE;
       this.listener.failed(error);
+      this.waitUntil = performance.now() / 1000 + PATIENCE; // also where the listener begins anew
     } finally {
       if (life === this.life) this.asking = false;
     }
