@@ -138,6 +138,7 @@ export class MotionStudio extends LitElement {
     const { session } = this;
     if (!session) return undefined;
     return this.attempt(async () => {
+      session.names = this.variants.map(({ name }) => name);
       const id = await session.save();
       this.wanted = id;
       history.replaceState(null, "", `?clip=${id}`);
@@ -241,6 +242,11 @@ export class MotionStudio extends LitElement {
     this.viewer?.seek(time);
   }
 
+  /** What was made from the clip on the stage. */
+  private get variants(): server.Clip[] {
+    return this.clips.filter(({ recipe_source }) => recipe_source && recipe_source === this.session?.source.id);
+  }
+
   private strip(session: Session): TemplateResult {
     const { checked } = session;
     return html`<section class="studio-strip" aria-label="When"><time-strip .viewer=${this.stageViewer}
@@ -249,7 +255,6 @@ export class MotionStudio extends LitElement {
 
   protected override render(): TemplateResult {
     const { session, drawer, original, busy, arrangement, failure } = this;
-    const variants = this.clips.filter(({ recipe_source }) => session && recipe_source === session.source.id);
     const note = (event: Event) => this.note(event);
     return html`${topBar(session, { original, busy, drawer }, this.topActs)}
       <div class="studio ${drawer ? `with-${drawer}` : ""}">
@@ -269,7 +274,7 @@ export class MotionStudio extends LitElement {
         })}
         ${session ? this.strip(session) : nothing}
         <aside class="side results" aria-label="What came of it">
-          ${session ? resultPanel(session, { variants, said: this.said, eased: this.easedWords, busy: this.busy }, this.resultActs) : nothing}</aside>
+          ${session ? resultPanel(session, { variants: this.variants, said: this.said, eased: this.easedWords, busy: this.busy }, this.resultActs) : nothing}</aside>
       </div>
       <clip-picker .clips=${this.clips} @pick=${({ detail }: CustomEvent<string>) => void this.attempt(() => this.open(detail))}></clip-picker>`;
   }

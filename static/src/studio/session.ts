@@ -3,6 +3,7 @@ import { ApiError, api } from "../api";
 import { dropDraft, findDraft, keepDraft } from "./draft";
 import { History } from "./history";
 import { debounced, Latest } from "./latest";
+import { freeName } from "./names";
 import { same, textOf, withGrid, type Steps } from "./recipe";
 import * as server from "./server";
 
@@ -23,6 +24,8 @@ const KEPT = 12;
 export class Session {
   readonly history: History<Edit>;
   name: string;
+  /** What the variants of this clip are called. */
+  names: readonly string[] = [];
   saved: { id: string; name: string; steps: Steps };
   checked: server.Checked | null = null;
   /** The checks are those of an earlier recipe. */
@@ -128,9 +131,10 @@ export class Session {
   async save(): Promise<string> {
     if (!this.steps.length) return this.source.id;
     const { steps } = this;
-    const name = this.name || this.suggestedName;
+    const wanted = this.name || this.suggestedName;
+    const name = same(steps, this.saved.steps) ? wanted : freeName(wanted, this.names);
     const clip = await server.save({ source: this.source.id, operations: steps }, name);
-    const named = clip.name === name ? clip : await server.rename(clip.id, name);
+    const named = [name, wanted].includes(clip.name) ? clip : await server.rename(clip.id, name);
     dropDraft(this.saved.id);
     this.saved = { id: named.id, name: named.name, steps };
     this.name = named.name;
