@@ -163,7 +163,7 @@ export class MotionStudio extends LitElement {
       const id = await session.save();
       const share = viewer.duration > 0 ? viewer.currentTime / viewer.duration : 0;
       const frame = Math.round(share * ((session.checked?.frames ?? session.source.frames) - 1));
-      await server.capture(id, frame, `${session.source.name} ${viewer.currentTime.toFixed(2)} s`);
+      await server.capture(id, frame, `${viewer.currentTime.toFixed(2)} s of ${session.source.name}`);
       this.offers = { ...this.offers, poses: await server.poses() };
     });
   }

@@ -64,7 +64,7 @@ function postures(session: Session, poses: Pose[], { capture }: MovementActs): T
     ${all.map(({ id, name, stance }) => {
       const value = amounts.get(id) ?? 0;
       return amountSlider(
-        { label: SHORT[id] ?? inWords(stance ? id : name), value, min: value < -1 ? -2 : -1, max: 2, step: 0.01, neutral: 0 },
+        { label: SHORT[id] ?? (stance ? inWords(id) : name), hint: name, value, min: value < -1 ? -2 : -1, max: 2, step: 0.01, neutral: 0 },
         (amount) => session.change(withPosture(session.steps, id, amount), `posture ${id}`),
       );
     })}
