@@ -66,12 +66,16 @@ def wide_columns(definition: StudyDefinition) -> list[Column]:
             _scale_column(definition, scale, f"{name}__{scale.id}", stimulus.label)
             for scale in definition.scales
         ]
-    return columns
+    names = unlike(column.name for column in columns)  # a scale may be called order
+    return [
+        column.model_copy(update={"name": name})
+        for column, name in zip(columns, names, strict=True)
+    ]
 
 
 def clip_names(definition: StudyDefinition) -> list[str]:
     """Each clip's name as a part of a column's: letters, digits and _ alone, never twice."""
-    return unlike((re.sub(r"\W+", "_", shown.name) for shown in definition.stimuli), {"order"})
+    return unlike(re.sub(r"\W+", "_", shown.name) for shown in definition.stimuli)
 
 
 def unlike(wanted: Iterable[str], taken: Iterable[str] = ()) -> list[str]:

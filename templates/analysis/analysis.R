@@ -55,11 +55,14 @@ seen <- function(scale, pole, sign) {
   x <- toward[!is.na(toward[, best]), best]
   y <- toward[, rest][!is.na(toward[, rest])]
   row <- data.frame(
-    scale = scale, pole = pole, clip = clips$label[best],
-    mean = mean(x), others = mean(y), difference = mean(x) - mean(y),
+    scale = scale, pole = pole, clip = NA_character_,
+    mean = NA_real_, others = NA_real_, difference = NA_real_,
     t = NA_real_, df = NA_real_, p = NA_real_, p_holm = NA_real_,
     d = NA_real_, d_low = NA_real_, d_high = NA_real_,
     paired_t = NA_real_, paired_df = NA_real_, paired_p = NA_real_)
+  if (!any(rest)) return(row)  # the body has no other clip
+  row$clip <- clips$label[best]
+  row[c("mean", "others", "difference")] <- c(mean(x), mean(y), mean(x) - mean(y))
   if (min(length(x), length(y)) > 1 && sd(x) + sd(y) > 0) {
     welch <- t.test(x, y)
     row[c("t", "df", "p")] <- c(welch$statistic, welch$parameter, welch$p.value)
