@@ -99,8 +99,10 @@ class _Worker:
         self._seconds = seconds
         self._module = module
         self._turn = threading.Lock()
+        self._hand = threading.Lock()
         self._line: Connection | None = None
         self._process: multiprocessing.process.BaseProcess | None = None
+        self._ready = False
         self._closed = False
 
     def start(self) -> None:
@@ -122,11 +124,18 @@ class _Worker:
 
     def close(self) -> None:
         self._closed = True
-        self._end()
+        with self._hand:
+            if self._process is not None:
+                self._process.kill()  # whoever waits for it hears so at once
+        with self._turn:
+            self._end()
 
     def _exchange(self, work: partial[Any]) -> _Outcome:
         line = self._started()
         try:
+            if not self._ready:
+                line.recv()  # its first word; starting does not count as working
+                self._ready = True
             line.send(work)
             outcome = line.recv() if line.poll(self._seconds) else None
         except BaseException:
@@ -153,15 +162,22 @@ class _Worker:
         if self._closed:
             raise BusyError("The server is shutting down.")
         if self._line is None:
-            self._line, theirs = _context.Pipe()
-            self._process = _context.Process(target=_work, args=(theirs, self._module), daemon=True)
-            self._process.start()
+            ours, theirs = _context.Pipe()
+            process = _context.Process(target=_work, args=(theirs, self._module), daemon=True)
+            process.start()
             theirs.close()  # so that we hear of its death
+            with self._hand:
+                self._line, self._process = ours, process
+            if self._closed:  # meanwhile
+                raise BusyError("The server is shutting down.")
+            return ours
         return self._line
 
     def _end(self) -> None:
-        line, process = self._line, self._process
-        self._line = self._process = None
+        with self._hand:
+            line, process = self._line, self._process
+            self._line = self._process = None
+            self._ready = False
         if process is not None:
             process.kill()
             process.join()
@@ -184,6 +200,7 @@ def _work(line: Connection, module: str) -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the processes share the processors
     import_module(module)
     with suppress(EOFError, OSError):
+        line.send(_Outcome())  # ready
         while True:
             try:
                 outcome = _Outcome(line.recv()())
