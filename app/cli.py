@@ -75,6 +75,7 @@ def serve(
         log_level="warning",
         server_header=False,
         timeout_worker_healthcheck=60,  # a busy machine needs a while to load the code
+        timeout_graceful_shutdown=15,  # s; a computation that takes longer is asked for again
         forwarded_allow_ips=settings.trusted_proxies,
     )
 

@@ -14,7 +14,9 @@ import urllib.request
 from dataclasses import dataclass, field
 from pathlib import Path
 
-START_SECONDS = 40
+# Generous, for a slow machine that does other things besides: only a hanging server takes longer.
+START_SECONDS = 120
+STOP_SECONDS = 60
 SET_UP_LINK = re.compile(r"http://\S+/research/set-up/\S+")
 
 
@@ -87,7 +89,7 @@ class Server:
         if self.process is None:
             return
         os.killpg(self.process.pid, how)
-        self.process.wait(timeout=20)
+        self.process.wait(STOP_SECONDS)
         self.process = None
 
     def _wait_until_healthy(self) -> None:
