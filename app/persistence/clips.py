@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sqlalchemy import Text, cast, func, or_, select, update
+from sqlalchemy import Text, case, cast, func, or_, select, update
 from sqlalchemy.orm import Session
 
 from app.persistence import blobs
@@ -19,6 +19,9 @@ from app.persistence.models import (
     now,
 )
 
+# A set may be of thousands, so what it was made from stands before it.
+_SHELVES = {"imported": 0, "sample": 1, "edited": 2}
+
 
 def listed(db: Session, *, imported: bool) -> list[tuple[ClipRecord, str | None]]:
     """The library in its order, each clip with its figure's hash, in one query."""
@@ -26,7 +29,7 @@ def listed(db: Session, *, imported: bool) -> list[tuple[ClipRecord, str | None]
         select(ClipRecord, FigureRecord.glb_blob)
         .outerjoin(FigureRecord, FigureRecord.skeleton_hash == ClipRecord.skeleton_hash)
         .where(ClipRecord.state != "retired")
-        .order_by(ClipRecord.source, ClipRecord.name, ClipRecord.id)
+        .order_by(case(_SHELVES, value=ClipRecord.source), ClipRecord.name, ClipRecord.id)
     )
     if not imported:
         query = query.where(ClipRecord.source == "sample")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from app.main import create_app
-from app.settings import Settings
+from app.settings import PROJECT, Settings
 
 METHODS = {"get", "post", "patch", "put", "delete"}
 
@@ -43,3 +45,11 @@ def test_the_error_and_the_clip_come_with_examples(document: dict) -> None:
     for name in ("ErrorDetail", "ClipView", "ImportOptions"):
         assert schemas[name]["example"]
         assert set(schemas[name]["example"]) <= set(schemas[name]["properties"])
+
+
+def test_the_page_about_the_api_names_addresses_that_are_there(document: dict) -> None:
+    text = (PROJECT / "docs" / "api.md").read_text()
+    named = re.findall(r"`(GET|POST|DELETE) (/api/v1/[a-z/_{}-]*)`", text)
+    assert len(named) > 10
+    for method, path in named:
+        assert method.lower() in document["paths"].get(path, {}), (method, path)
