@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from io import StringIO
 from itertools import groupby
 from typing import Any, NamedTuple
@@ -61,16 +61,14 @@ def exported(database: Database, slug: str) -> Exported:
 def responses_csv(database: Database, slug: str) -> Iterator[str]:
     """Every stored answer of a study as CSV text, one row an answer, a piece at a time."""
     found = exported(database, slug)
-    return csv_pieces(columns(found.definition), answer_cells(found.definition, found.rows()))
+    return csv_pieces(columns(found.definition), map(answer_cells(found.definition), found.rows()))
 
 
 def wide_csv(database: Database, slug: str) -> Iterator[str]:
     """One row a participant: of each clip its place in the order and its newest answer."""
     found = exported(database, slug)
     heads = columns(found.definition, "wide")
-    return csv_pieces(
-        heads, (_wide_cells(found.definition, rows) for rows in found.by_participant())
-    )
+    return csv_pieces(heads, map(_wide_cells(found.definition), found.by_participant()))
 
 
 def responses_jsonl(database: Database, slug: str) -> Iterator[bytes]:
@@ -79,7 +77,7 @@ def responses_jsonl(database: Database, slug: str) -> Iterator[bytes]:
     names = columns(found.definition)
     return _gathered(
         orjson.dumps(dict(zip(names, cells, strict=True)), option=orjson.OPT_APPEND_NEWLINE)
-        for cells in answer_cells(found.definition, found.rows())
+        for cells in map(answer_cells(found.definition), found.rows())
     )
 
 
@@ -124,11 +122,10 @@ def columns(definition: StudyDefinition, table: Table = "long") -> list[str]:
     return [field.column.name for field in long_fields(definition)]
 
 
-def answer_cells(definition: StudyDefinition, rows: Iterable[Row]) -> Iterator[list[Any]]:
-    """The cells of the long table."""
+def answer_cells(definition: StudyDefinition) -> Callable[[Row], list[Any]]:
+    """What makes the cells of the long table from an answer."""
     values = [field.value for field in long_fields(definition)]
-    for row in rows:
-        yield [value(row) for value in values]
+    return lambda row: [value(row) for value in values]
 
 
 def csv_pieces(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str]:
@@ -161,11 +158,20 @@ def safe(cell: object) -> object:
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(DANGEROUS) else cell
 
 
-def _wide_cells(definition: StudyDefinition, rows: list[Row]) -> list[Any]:
-    cells = [field.value(rows[-1]) for field in about_participant()]
-    counted = {row.shown.clip: row.answer for row in rows if row.newest and not row.answer.practice}
-    for stimulus in definition.stimuli:
-        answer = counted.get(stimulus.clip)
-        cells.append(answer.trial_index if answer else None)
-        cells += [answer.answers.get(scale.id) if answer else None for scale in definition.scales]
+def _wide_cells(definition: StudyDefinition) -> Callable[[list[Row]], list[Any]]:
+    about = [field.value for field in about_participant()]
+    clips = [stimulus.clip for stimulus in definition.stimuli]
+    scales = [scale.id for scale in definition.scales]
+
+    def cells(rows: list[Row]) -> list[Any]:
+        found = [value(rows[-1]) for value in about]
+        counted = {
+            row.shown.clip: row.answer for row in rows if row.newest and not row.answer.practice
+        }
+        for clip in clips:
+            answer = counted.get(clip)
+            found.append(answer.trial_index if answer else None)
+            found += [answer.answers.get(scale) if answer else None for scale in scales]
+        return found
+
     return cells

@@ -90,11 +90,12 @@ def _files(found: Exported, moment: datetime) -> Iterator[tuple[str, str | bytes
 
 def _data(found: Exported, definition: StudyDefinition) -> Iterator[tuple[str, str]]:
     heads, study = columns(definition), definition.slug.replace("-", "")
+    cells = answer_cells(definition)
     empty = True
     for rows in found.by_participant():
         empty = False
         name = f"study-{study}_subject-{rows[0].participant.id.hex}_data.csv"
-        yield f"data/{name}", "".join(csv_pieces(heads, answer_cells(definition, rows)))
+        yield f"data/{name}", "".join(csv_pieces(heads, map(cells, rows)))
     if empty:  # a dataset needs a data file; this one says that nobody answered yet
         yield f"data/study-{study}_data.csv", "".join(csv_pieces(heads, ()))
 
