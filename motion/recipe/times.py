@@ -80,7 +80,7 @@ TIMING = operation(
         ),
         "limbs": ListOf(
             title="Limbs",
-            description="Null for all, without the legs of a motion that goes places.",
+            description="None chosen means all, without the legs of a motion that goes places.",
             shortest=1,
             longest=len(LIMBS),
             optional=True,
@@ -96,7 +96,7 @@ TIMING = operation(
         ),
         "segment": Number(
             title="Segment",
-            description="A stretch that keeps its length; null for 1.5 s even, 1 s added.",
+            description="A stretch that keeps its length; usually 1.5 s, or 1 s when added.",
             unit="s",
             minimum=0.2,
             maximum=10.0,
@@ -174,7 +174,7 @@ CUT = operation(
         ),
         "end": Number(
             title="End",
-            description="The last moment that stays; null for the clip's own.",
+            description="The last moment that stays; usually the clip's own last.",
             unit="s",
             minimum=0.0,
             maximum=_LATEST,
