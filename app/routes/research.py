@@ -19,7 +19,7 @@ from typing import Literal
 from fastapi import APIRouter, Request
 from fastapi.responses import RedirectResponse, Response
 
-from app.dependencies import Reading, SignedIn
+from app.dependencies import Reader, Reading, SignedIn
 from app.pages import render
 from app.schemas.errors import ErrorResponse
 from app.schemas.results import StudyResults
@@ -78,10 +78,10 @@ def show_figure(_: SignedIn, slug: str, name: str, db: Reading, mode: Mode = "li
 @api.get(
     "/{slug}/results",
     responses={
-        401: {"model": ErrorResponse, "description": "A researcher must sign in first."},
+        401: {"model": ErrorResponse, "description": "An API key or signing in is needed."},
         404: {"model": ErrorResponse, "description": "There is no such study."},
     },
 )
-def read_results(_: SignedIn, slug: str, db: Reading, against: Against = "others") -> StudyResults:
+def read_results(_: Reader, slug: str, db: Reading, against: Against = "others") -> StudyResults:
     """All numbers of the results page."""
     return results_service.results(db, slug, against)

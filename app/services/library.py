@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from sqlalchemy.orm import Session
 
-from app.errors import ConflictError, InvalidError, NotFoundError
-from app.persistence import blobs, clips
+from app.errors import ConflictError, InvalidError, NotFoundError, SignInNeededError
+from app.persistence import blobs, clips, jobs
 from app.persistence.models import ClipRecord
 from app.schemas.library import ClipDetail, ClipList, ClipView, Provenance
 from app.services.engine_version import engine_version
@@ -16,6 +16,16 @@ from app.services.studies import media_url
 
 if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wait
     from app.services.clip_files import ClipFiles
+
+NEEDS = (
+    (
+        clips.is_in_use,
+        "A study shows this clip, or somebody has answered it.",
+        "Take it out of the study first; answered clips stay.",
+    ),
+    (clips.is_in_graph, "A motion graph plays this clip.", "Take it out of the graph first."),
+    (jobs.refer_to, "A job that is not done yet needs this clip.", "Wait for it, or cancel it."),
+)
 
 
 def listed(db: Session, query: str, tags: Sequence[str], *, signed_in: bool) -> ClipList:
@@ -52,17 +62,22 @@ def described(db: Session, clip: ClipRecord) -> ClipDetail:
 
 
 def find(db: Session, clip_id: str, *, signed_in: bool) -> ClipRecord:
-    """The clip; to strangers all but samples are not there at all.
+    """The clip. Strangers see samples only, and are not told whether there is another.
 
     Raises:
-        NotFoundError: there is none that this person may see.
+        NotFoundError: there is none.
+        SignInNeededError: a stranger asks for what is no sample.
     """
     clip = clips.by_id(db, clip_id)
-    if clip is None or (clip.source != "sample" and not signed_in):
+    if not signed_in and (clip is None or clip.source != "sample"):
+        raise SignInNeededError(
+            "Only samples can be seen without an API key, and no sample has this id.",
+            code="key_needed",
+            mend="Send the header “Authorization: Bearer mnr_…”, or sign in on this browser.",
+        )
+    if clip is None:
         raise NotFoundError(
-            "There is no such clip.",
-            code="clip_not_found",
-            mend="Look for it in the library. Other clips than samples show after signing in.",
+            "There is no such clip.", code="clip_not_found", mend="Look for it in the library."
         )
     return clip
 
@@ -106,23 +121,15 @@ def delete(db: Session, clip_id: str) -> None:
     """Delete an imported or edited clip and its files, unless something needs it.
 
     Raises:
-        ConflictError: it is a sample, or a study, a graph or other clips need it.
+        ConflictError: it is a sample, or a study, a graph, a job or other clips need it.
     """
+    clips.lock(db, clip_id)
     clip = find(db, clip_id, signed_in=True)
     if clip.source == "sample":
         raise ConflictError("Samples come with the server and stay.", code="sample_clip")
-    if clips.is_in_use(db, clip_id):
-        raise ConflictError(
-            "A study shows this clip, or somebody has answered it.",
-            code="clip_in_use",
-            mend="Take it out of the study first; answered clips stay.",
-        )
-    if clips.is_in_graph(db, clip_id):
-        raise ConflictError(
-            "A motion graph plays this clip.",
-            code="clip_in_use",
-            mend="Take it out of the graph first.",
-        )
+    for is_needed, message, mend in NEEDS:
+        if is_needed(db, clip_id):
+            raise ConflictError(message, code="clip_in_use", mend=mend)
     if made := clips.made_from(db, clip_id):
         raise ConflictError(
             f"{made} {'clip was' if made == 1 else 'clips were'} made from this one.",

@@ -5188,7 +5188,7 @@ export interface operations {
                     "application/json": components["schemas"]["StudyResults"];
                 };
             };
-            /** @description A researcher must sign in first. */
+            /** @description An API key or signing in is needed. */
             401: {
                 headers: {
                     [name: string]: unknown;

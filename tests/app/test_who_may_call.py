@@ -27,7 +27,6 @@ ASKED_BY_POST = {
     "/api/v1/graphs/preview",
     "/api/v1/graphs/{graph_id}/play",
 }
-FOR_PEOPLE = {"/api/v1/studies/{slug}/results"}  # who is signed in, no program
 
 
 def routes() -> Iterator[tuple[str, str]]:
@@ -43,12 +42,8 @@ def is_for_all(method: str, path: str) -> bool:
 
 
 GUARDED = [call for call in routes() if not is_for_all(*call)]
-READING = [
-    (method, path)
-    for method, path in GUARDED
-    if (method == "GET" or path in ASKED_BY_POST) and path not in FOR_PEOPLE
-]
-WRITING = [call for call in GUARDED if call not in READING and call[1] not in FOR_PEOPLE]
+READING = [call for call in GUARDED if call[0] == "GET" or call[1] in ASKED_BY_POST]
+WRITING = [call for call in GUARDED if call not in READING]
 
 
 def call(client: TestClient, method: str, path: str, **headers: str) -> Response:
@@ -75,15 +70,12 @@ def secrets(database: Database, researcher: str) -> dict[str, str]:
 def test_there_is_something_to_guard() -> None:
     assert len(READING) > 15
     assert len(WRITING) > 12
-    assert {path for _, path in routes()} >= ASKED_BY_POST | FOR_PEOPLE
+    assert {path for _, path in routes()} >= ASKED_BY_POST
 
 
 def test_a_stranger_is_sent_away(client: TestClient) -> None:
     told = {one: refusal(call(client, *one)) for one in GUARDED}
-    assert told == {
-        (method, path): (401, "sign_in_needed" if path in FOR_PEOPLE else "key_needed")
-        for method, path in GUARDED
-    }
+    assert told == dict.fromkeys(GUARDED, (401, "key_needed"))
 
 
 def test_a_key_for_reading_reads_and_never_writes(

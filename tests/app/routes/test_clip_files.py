@@ -9,6 +9,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from motion.glb import ANIMATION_NAME
+from tests.app.conftest import Researching
 from tests.support.motions import walk
 
 URL = f"/api/v1/clips/{walk().content_hash}"
@@ -141,7 +142,8 @@ def test_json_is_one_json_document(client: TestClient) -> None:
 
 
 @pytest.mark.parametrize("rest", ["", ".json", ".glb", ".bvh"])
-def test_a_clip_that_is_not_there_is_not_found(client: TestClient, rest: str) -> None:
-    response = client.get(f"/api/v1/clips/{'0' * 64}{rest}")
+def test_a_clip_that_is_not_there_is_not_found(signed_in: Researching, rest: str) -> None:
+    client, missing = signed_in.client, f"/api/v1/clips/{'0' * 64}{rest}"
+    response = client.get(missing)
     assert (response.status_code, response.json()["error"]["code"]) == (404, "clip_not_found")
-    assert client.head(f"/api/v1/clips/{'0' * 64}{rest}").status_code == 404
+    assert client.head(missing).status_code == 404

@@ -10,7 +10,7 @@ import pytest
 from sqlalchemy import func, select
 from starlette.testclient import TestClient
 
-from app.persistence import clips
+from app.persistence import blobs, clips
 from app.persistence.engine import Database
 from app.persistence.models import ClipRecord, FigureRecord, GraphRecord
 from app.services import edits, library
@@ -107,7 +107,9 @@ def test_two_servers_that_store_the_same_clip_store_it_once(
     with database.writing() as db:
         record = clips.by_id(db, clip_id)
         db.expunge(record)
+        record.glb_blob = blobs.put(db, b"other bits", blobs.GLB)
         assert clips.add(db, record) is False
+        assert blobs.content(db, record.glb_blob) is None, "what nobody needs is not kept"
         db.commit()
     assert edited_count(database) == 1
 
@@ -309,7 +311,7 @@ def test_strangers_see_no_edited_clip(author: Researching) -> None:
     stranger.cookies.clear()
     assert clip["id"] not in {c["id"] for c in stranger.get(CLIPS).json()["clips"]}
     for suffix in ("", ".json", ".glb", ".bvh"):
-        assert stranger.get(f"{CLIPS}/{clip['id']}{suffix}").status_code == 404
+        assert stranger.get(f"{CLIPS}/{clip['id']}{suffix}").status_code == 401
 
 
 @pytest.mark.parametrize(

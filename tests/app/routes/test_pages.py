@@ -7,6 +7,7 @@ from sqlalchemy import text
 from starlette.testclient import TestClient
 
 from app.persistence.engine import Database
+from tests.app.conftest import Researching
 from tests.support.motions import walk
 
 
@@ -31,9 +32,9 @@ def test_a_clip_has_a_page_of_its_own(client: TestClient, samples_made: int) -> 
     assert clip["figure_url"] in html
 
 
-def test_a_page_that_is_not_there_says_so(client: TestClient) -> None:
+def test_a_page_that_is_not_there_says_so(signed_in: Researching) -> None:
     for path in ("/library/0", "/nothing"):
-        response = client.get(path)
+        response = signed_in.client.get(path)
         assert response.status_code == 404
         assert "<h1" in response.text
 
