@@ -4,7 +4,8 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { ApiError } from "../api";
 import type { MotionViewer } from "../viewer";
 import { CompareKey } from "./compare_key";
-import { movementPanel, type Offers } from "./movement_panel";
+import { dropDraft } from "./draft";
+import { movementPanel, type NamedPose, type Offers } from "./movement_panel";
 import type { ClipPicker } from "./picker";
 import type { Steps } from "./recipe";
 import { resultPanel, type ResultActs } from "./result_panel";
@@ -159,12 +160,31 @@ export class MotionStudio extends LitElement {
   private async capture(): Promise<void> {
     const { viewer, session } = this;
     if (!viewer || !session) return;
+    const id = await this.save();
+    if (!id) return;
     await this.attempt(async () => {
-      const id = await session.save();
       const share = viewer.duration > 0 ? viewer.currentTime / viewer.duration : 0;
       const frame = Math.round(share * ((session.checked?.frames ?? session.source.frames) - 1));
       await server.capture(id, frame, `${viewer.currentTime.toFixed(2)} s of ${session.source.name}`);
       this.offers = { ...this.offers, poses: await server.poses() };
+    });
+  }
+
+  private forget({ id, name }: NamedPose): void {
+    if (!confirm(`Delete the pose “${name}”?`)) return;
+    void this.attempt(async () => {
+      await server.forget(id);
+      this.offers = { ...this.offers, poses: await server.poses() };
+    });
+  }
+
+  private discard({ id, name, recipe_source }: server.Clip): void {
+    if (!confirm(`Delete “${name}”? It goes from the library too.`)) return;
+    void this.attempt(async () => {
+      await server.remove(id);
+      dropDraft(id);
+      if (id === this.session?.saved.id) await this.open(recipe_source!);
+      this.clips = await server.clips();
     });
   }
 
@@ -227,6 +247,7 @@ export class MotionStudio extends LitElement {
         this.eased = { steps: this.session!.steps, words: `Eased off to ${Math.round(share * 100)} % of what it was.` };
       }),
       open: (id) => void this.attempt(() => this.open(id)),
+      remove: (clip) => this.discard(clip),
       download: (suffix) => void this.download(suffix),
       copied: (words) => (this.said = words),
     };
@@ -261,12 +282,13 @@ export class MotionStudio extends LitElement {
         <aside class="side movement" aria-label="How it moves" @pointerdown=${{ handleEvent: note, capture: true }}
           @pointermove=${{ handleEvent: note, capture: true }} @keydown=${{ handleEvent: note, capture: true }}
           @input=${{ handleEvent: note, capture: true }}>
-          ${session ? movementPanel(session, this.offers, { capture: () => void this.capture() }) : nothing}</aside>
+          ${session ? movementPanel(session, this.offers, { capture: () => void this.capture(), forget: (pose) => this.forget(pose) }) : nothing}</aside>
         ${stage(session, { original, arrangement, failure }, {
           ready: () => this.onReady(),
           motion: () => this.onMotion(),
           choose: () => this.picker.show(),
           again: () => void this.attempt(() => this.begin()),
+          dismiss: () => (this.failure = null),
           arrange: (arrangement) => {
             this.arrangement = arrangement;
             this.compare(false);

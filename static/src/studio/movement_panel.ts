@@ -1,5 +1,5 @@
 // The left panel: how it moves. Preset, posture, path and timing, frequency bands, and all else.
-import { html, nothing, type TemplateResult } from "lit";
+import { html, noChange, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { icon } from "../icons";
 import { USUAL_BANDS, type BandChange } from "./equaliser";
@@ -22,8 +22,11 @@ export interface Offers {
   poses: Pose[];
 }
 
+export type NamedPose = Pick<Pose, "id" | "name">;
+
 export interface MovementActs {
   capture(): void;
+  forget(pose: NamedPose): void;
 }
 
 /** The rows of the thesis's table come first; the rest are what it proposes beyond. */
@@ -35,6 +38,7 @@ const SHORT: Record<string, string> = {
 };
 
 export function movementPanel(session: Session, offers: Offers, acts: MovementActs): TemplateResult {
+  // What opened once because it is in use stays open until it is closed by hand (`noChange`).
   return html`${presets(session, offers.presets)} ${postures(session, offers.poses, acts)} ${pathAndTiming(session)}
     ${bands(session)} ${more(session, offers.operations)}`;
 }
@@ -49,22 +53,27 @@ function presets(session: Session, all: Preset[]): TemplateResult {
   return html`<section><header><h2>Preset</h2><span class="tiny">a starting point</span></header>
     <div class="chips" role="group" aria-label="Presets">${all.slice(0, ROWS).map(chip)}</div>
     ${all.length > ROWS
-      ? html`<details class="proposals" ?open=${all.slice(ROWS).some(({ name }) => name === session.preset)}><summary>His proposals</summary>
-          <div class="chips" role="group" aria-label="Proposed presets">${all.slice(ROWS).map(chip)}</div></details>`
+      ? html`<details class="proposals" ?open=${all.slice(ROWS).some(({ name }) => name === session.preset) || noChange}><summary>More presets</summary>
+          <div class="chips" role="group" aria-label="More presets">${all.slice(ROWS).map(chip)}</div></details>`
       : nothing}</section>`;
 }
 
-function postures(session: Session, poses: Pose[], { capture }: MovementActs): TemplateResult {
+function postures(session: Session, poses: Pose[], { capture, forget }: MovementActs): TemplateResult {
   const amounts = postureOf(session.steps);
   const known = poses.filter(({ id }) => id !== "neutral");
   const unknown = [...amounts.keys()].filter((id) => known.every((pose) => pose.id !== id));
   const all = [...known, ...unknown.map((id) => ({ id, name: id.slice(0, 8), stance: false }))];
   return html`<section><header><h2>Posture</h2>
       ${resetButton("all postures", amounts.size > 0, () => session.change(put(session.steps, POSTURE, null), "postures"))}</header>
-    ${all.map(({ id, name, stance }) => {
+    ${all.map((pose) => {
+      const { id, name, stance } = pose;
       const value = amounts.get(id) ?? 0;
+      const captured = !stance && !unknown.includes(id);
       return amountSlider(
-        { label: SHORT[id] ?? (stance ? inWords(id) : name), hint: name, value, min: value < -1 ? -2 : -1, max: 2, step: 0.01, neutral: 0 },
+        {
+          label: SHORT[id] ?? (stance ? inWords(id) : name), hint: name, value, min: value < -1 ? -2 : -1, max: 2, step: 0.01, neutral: 0,
+          ...(captured ? { remove: () => forget(pose) } : {}),
+        },
         (amount) => session.change(withPosture(session.steps, id, amount), `posture ${id}`),
       );
     })}
@@ -96,7 +105,7 @@ function bands(session: Session): TemplateResult {
     session.change(withBands(session.steps, next), `band ${detail.frequency}`);
   };
   const changed = bandsOf(session.steps).length > 0;
-  return html`<details ?open=${changed}><summary><h2>Frequency bands</h2><span class="tiny">gain, by Hz</span></summary>
+  return html`<details ?open=${changed || noChange}><summary><h2>Frequency bands</h2><span class="tiny">gain, by Hz</span></summary>
     <band-equaliser .bands=${all} @band=${set}></band-equaliser>
     ${changed ? html`<div class="end"><button class="link-button" type="button" @click=${() => session.change(put(session.steps, BANDS, null), "bands")}>Reset all bands</button></div>` : nothing}</details>`;
 }
@@ -106,7 +115,7 @@ function more(session: Session, operations: Operation[]): TemplateResult {
   const offered = operations.filter(({ name }) => ![GRID, POSTURE, BANDS].includes(name));
   const add = ({ name, parameters }: Operation) =>
     session.change(insert(session.steps, { operation: name, parameters: startingParameters(parameters) }), `add ${name}`);
-  return html`<details ?open=${extras.length > 0}><summary><h2>More</h2><span class="tiny">tempo, limbs, contacts …</span></summary>
+  return html`<details ?open=${extras.length > 0 || noChange}><summary><h2>More</h2><span class="tiny">tempo, limbs, contacts …</span></summary>
     ${extras.map(({ step, place }) => {
       const known = operations.find(({ name }) => name === step.operation);
       const title = known?.title ?? step.operation;

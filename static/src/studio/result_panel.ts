@@ -5,11 +5,13 @@ import { faultWords, fineLines, sizeWords, timeWords, type Finding } from "./che
 import { asCurl, asPython, asRecipe, type Variant } from "./exports";
 import type { Clip } from "./server";
 import type { Session } from "./session";
+import { deleteButton } from "./slider";
 
 export interface ResultActs {
   seek(finding: Finding): void;
   easeOff(): void;
   open(clip: string): void;
+  remove(clip: Clip): void;
   download(suffix: "bvh" | "glb" | "json"): void;
   copied(text: string): void;
 }
@@ -49,13 +51,13 @@ const fault = (finding: Finding, { seek }: ResultActs) => html`<li class="fault"
     <button class="link-button" type="button" @click=${() => seek(finding)}>${timeWords(finding)}</button>
     <span class="tiny">${sizeWords(finding.limit, finding.unit)} allowed</span></p></li>`;
 
-function variants(session: Session, { variants }: ResultState, { open }: ResultActs): TemplateResult {
+function variants(session: Session, { variants }: ResultState, { open, remove }: ResultActs): TemplateResult {
   return html`<section class="variants"><header><h2>Variants</h2><span class="tiny">of ${session.source.name}</span></header>
     ${variants.length
       ? html`<ul>${variants.map(
-          (clip) => html`<li><button type="button" aria-current=${clip.id === session.saved.id ? "true" : nothing} @click=${() => open(clip.id)}>
+          (clip) => html`<li><button class="variant" type="button" aria-current=${clip.id === session.saved.id ? "true" : nothing} @click=${() => open(clip.id)}>
             <span class="still"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail></span>
-            <span>${clip.name}</span></button></li>`,
+            <span>${clip.name}</span></button>${deleteButton(clip.name, () => remove(clip))}</li>`,
         )}</ul>`
       : html`<p class="quiet">What you save is kept here, to be opened again.</p>`}
     ${session.saved.id === session.source.id

@@ -28,9 +28,11 @@ export const check = (edited: Edited) => api.post<Checked>("/api/v1/clips/check"
 export const easeOff = (edited: Edited) => api.post<Schemas["EasedOff"]>("/api/v1/clips/ease-off", edited);
 export const save = (edited: Edited, name: string) => api.post<ClipDetail>("/api/v1/clips", { ...edited, name });
 export const rename = (id: string, name: string) => api.put<ClipDetail>(`/api/v1/clips/${id}/label`, { name });
+export const remove = (id: string) => api.delete(`/api/v1/clips/${id}`);
 export const operations = async () =>
   (await api.get<{ operations: Operation[] }>("/api/v1/operations")).operations;
 export const presets = async () => (await api.get<Schemas["PresetList"]>("/api/v1/presets")).presets;
 export const poses = async () => (await api.get<Schemas["PoseList"]>("/api/v1/poses")).poses;
 export const capture = (clip: string, frame: number, name: string) =>
   api.post<Pose>("/api/v1/poses", { clip, frame, name });
+export const forget = (pose: string) => api.delete(`/api/v1/poses/${pose}`);

@@ -14,10 +14,12 @@ export interface Amount {
   neutral: number;
   unit?: string;
   hint?: string;
+  /** Where it can be deleted, while it does nothing. */
+  remove?: () => void;
 }
 
 export function amountSlider(amount: Amount, set: (value: number) => void): TemplateResult {
-  const { label, value, min, max, step, neutral, unit = "", hint } = amount;
+  const { label, value, min, max, step, neutral, unit = "", hint, remove } = amount;
   const text = `${value.toFixed(step < 1 ? 2 : 0)}${unit && ` ${unit}`}`;
   const input = (event: Event) => set(Number((event.target as HTMLInputElement).value));
   const fill = (element: Element | undefined) => paint(element as HTMLElement | undefined, amount);
@@ -26,7 +28,7 @@ export function amountSlider(amount: Amount, set: (value: number) => void): Temp
       <input type="range" min=${min} max=${max} step=${step} .value=${live(String(value))} aria-valuetext=${text}
         @input=${input} @dblclick=${() => set(neutral)} ${ref(fill)}></label>
     <span class="amount-value" aria-hidden="true">${text.replace("-", "−")}</span>
-    ${resetButton(label, value !== neutral, () => set(neutral))}
+    ${remove && value === neutral ? deleteButton(label, remove) : resetButton(label, value !== neutral, () => set(neutral))}
   </div>`;
 }
 
@@ -34,6 +36,11 @@ export function amountSlider(amount: Amount, set: (value: number) => void): Temp
 export const resetButton = (label: string, changed: boolean, reset: () => void): TemplateResult =>
   html`<button class="reset" type="button" title="Reset ${label}" aria-label="Reset ${label}" ?disabled=${!changed} @click=${reset}>
     ${icon("replay")}</button>`;
+
+/** Takes something captured or saved off the server; who calls it asks first. */
+export const deleteButton = (label: string, remove: () => void): TemplateResult =>
+  html`<button class="reset" type="button" title="Delete ${label}" aria-label="Delete ${label}" @click=${remove}>
+    ${icon("close")}</button>`;
 
 /** The content policy allows no style in markup, so it is set on the element. */
 function paint(slider: HTMLElement | undefined, { value, min, max, neutral }: Amount): void {

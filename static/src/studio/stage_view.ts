@@ -17,6 +17,7 @@ export interface StageActs {
   motion(): void;
   choose(): void;
   again(): void;
+  dismiss(): void;
   arrange(arrangement: StageState["arrangement"]): void;
 }
 
@@ -47,10 +48,11 @@ function tools({ arrangement }: StageState, acts: StageActs): TemplateResult {
     </div>`;
 }
 
-function notes(session: Session | null, { failure }: StageState, { again }: StageActs): TemplateResult | typeof nothing {
+function notes(session: Session | null, { failure }: StageState, { again, dismiss }: StageActs): TemplateResult | typeof nothing {
   if (session?.problem) return trouble(session.problem, session);
   if (failure) {
-    return note(failure.message, failure.mend, html`<button class="link-button" type="button" @click=${again}>Load the studio again</button>`);
+    const [words, act] = session ? ["All right", dismiss] : ["Load the studio again", again];
+    return note(failure.message, failure.mend, html`<button class="link-button" type="button" @click=${act}>${words}</button>`);
   }
   if (!session?.fromDraft) return nothing;
   return html`<div class="note" role="status">${icon("info")}<p>These are your edits of last time, not yet saved.
