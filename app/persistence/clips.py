@@ -61,7 +61,10 @@ def add(db: Session, clip: ClipRecord) -> bool:
     """Store a clip unless one with its id is there; whether it was stored."""
     given = {c.key: getattr(clip, c.key) for c in ClipRecord.__mapper__.column_attrs}
     given["created_at"] = clip.created_at or now()
-    return blobs.insert_if_new(db, ClipRecord, given)
+    is_new = blobs.insert_if_new(db, ClipRecord, given)
+    if not is_new:
+        blobs.delete_orphans(db, _files(clip))
+    return is_new
 
 
 def contents(db: Session, ids: Iterable[str]) -> dict[str, bytes]:
@@ -82,6 +85,11 @@ def made_from(db: Session, clip_id: str) -> int:
     """How many clips were made from this one, as their source or as an example in a recipe."""
     uses = or_(ClipRecord.recipe_source == clip_id, cast(ClipRecord.recipe, Text).contains(clip_id))
     return db.scalar(select(func.count()).select_from(ClipRecord).where(uses)) or 0
+
+
+def lock(db: Session, clip_id: str) -> None:
+    """Let nobody begin to refer to the clip until we are done; SQLite lets nobody write anyway."""
+    db.execute(select(ClipRecord.id).where(ClipRecord.id == clip_id).with_for_update())
 
 
 def is_in_graph(db: Session, clip_id: str) -> bool:

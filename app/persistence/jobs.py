@@ -6,7 +6,7 @@ import uuid
 from collections.abc import Mapping
 from typing import Any
 
-from sqlalchemy import select, update
+from sqlalchemy import Text, cast, select, update
 from sqlalchemy.orm import Session, defer
 
 from app.persistence.models import Job, now
@@ -36,6 +36,12 @@ def newest(db: Session) -> list[Job]:
 def any_open(db: Session) -> bool:
     """Whether there is work."""
     return db.scalar(select(Job.id).where(Job.state.in_(OPEN)).limit(1)) is not None
+
+
+def refer_to(db: Session, name: str) -> bool:
+    """Whether a job that is still to be done needs the clip or the pose with this id."""
+    needs = cast(Job.request, Text).contains(name)
+    return db.scalar(select(Job.id).where(Job.state.in_(OPEN), needs).limit(1)) is not None
 
 
 def claim(db: Session) -> uuid.UUID | None:

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from sqlalchemy import Text, cast, select
 from sqlalchemy.orm import Session
 
-from app.persistence.models import ClipRecord, PoseRecord
+from app.persistence import blobs
+from app.persistence.models import ClipRecord, PoseRecord, now
 
 
 def listed(db: Session) -> list[PoseRecord]:
@@ -30,6 +31,9 @@ def by_ids(db: Session, ids: Iterable[str]) -> list[PoseRecord]:
 
 def put(db: Session, pose: PoseRecord) -> PoseRecord:
     """Store a pose under its hash; the same rotations again get the new name."""
+    given = {c.key: getattr(pose, c.key) for c in PoseRecord.__mapper__.column_attrs}
+    given["created_at"] = pose.created_at or now()
+    blobs.insert_if_new(db, PoseRecord, given)  # another server may store the same at this moment
     return db.merge(pose)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, NotFoundError
-from app.persistence import poses
+from app.persistence import jobs, poses
 from app.persistence.engine import Database
 from app.persistence.models import PoseRecord
 from app.schemas.edits import (
@@ -133,7 +133,7 @@ def delete_pose(db: Session, pose_id: str) -> None:
 
     Raises:
         NotFoundError: there is none.
-        ConflictError: clips were made with it; without it they could not be made again.
+        ConflictError: clips were made with it, which could not be made again, or shall be.
     """
     pose = poses.by_id(db, pose_id)
     if pose is None:
@@ -148,6 +148,12 @@ def delete_pose(db: Session, pose_id: str) -> None:
             code="pose_in_use",
             mend="Delete what was made with it first.",
             extra={"edits": used},
+        )
+    if jobs.refer_to(db, pose_id):
+        raise ConflictError(
+            "A job that is not done yet needs this pose.",
+            code="pose_in_use",
+            mend="Wait for the job, or cancel it.",
         )
     poses.delete(db, pose)
     db.commit()

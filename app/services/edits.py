@@ -156,7 +156,8 @@ def rebuild(database: Database, writer: Writer, workers: Workers, clip_id: str) 
     files = _rendered(workers, work)
 
     def keep(db: Session) -> ClipDetail:
-        new = store(db, files, work.source, work.recipe, old.name, old.tags)
+        source = library.find(db, work.source.id, signed_in=True)  # both may be deleted by now
+        new = store(db, files, source, work.recipe, old.name, old.tags)
         return library.detail(db, new.id, signed_in=True)
 
     return Rebuilt(identical=files.id == old.content_hash, clip=writer.write(keep))

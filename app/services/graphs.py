@@ -29,6 +29,7 @@ from app.schemas.graphs import (
     PlayRequest,
     TransitionKey,
 )
+from app.services import edits
 from app.services.studies import media_url
 from app.workers import Workers
 
@@ -76,11 +77,13 @@ def create(
     """Keep a graph under a name.
 
     Raises:
+        ConflictError: a clip waits to be confirmed.
         InvalidError: its clips do not belong together.
     """
     preview(database, workers, request)
 
     def keep(db: Session) -> str:
+        _check_clips(db, request)
         record = GraphRecord(name=request.name, definition=_definition(request))
         return str(graphs.add(db, record).id)
 
@@ -93,7 +96,7 @@ def change(
     """Change a graph of one's own.
 
     Raises:
-        ConflictError: it is the sample.
+        ConflictError: it is the sample, or a clip waits to be confirmed.
         InvalidError: its clips do not belong together.
     """
     with database.reading() as db:
@@ -102,6 +105,7 @@ def change(
 
     def keep(db: Session) -> None:
         record = _own(db, graph_id)
+        _check_clips(db, request)
         record.name, record.definition = request.name, _definition(request)
 
     writer.write(keep)
@@ -182,6 +186,12 @@ def _members(db: Session, shape: GraphShape) -> dict[str, tuple[ClipRecord, str 
             mend="Make a graph of clips that are there.",
         )
     return found
+
+
+def _check_clips(db: Session, request: GraphRequest) -> None:
+    """Whether its clips are still there, and to stay: one may have been deleted meanwhile."""
+    for clip, _ in _members(db, request).values():
+        edits.source_clip(db, clip.id)
 
 
 def _detail(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import jsonschema
 import numpy as np
 import pytest
@@ -75,6 +77,12 @@ def test_the_same_pose_is_kept_once_under_its_newer_name(author: Researching) ->
     assert first["id"] == second["id"]
     names = [p["name"] for p in author.get(POSES).json()["poses"] if not p["stance"]]
     assert names == ["renamed"]
+
+
+def test_the_same_pose_at_the_same_moment_is_kept_once(author: Researching) -> None:
+    with ThreadPoolExecutor(6) as pool:
+        ids = {pose["id"] for pose in pool.map(lambda _: captured(author), range(6))}
+    assert [p["id"] for p in author.get(POSES).json()["poses"] if not p["stance"]] == list(ids)
 
 
 def test_a_frame_beyond_the_clip_is_refused(author: Researching) -> None:

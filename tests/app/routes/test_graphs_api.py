@@ -15,7 +15,7 @@ from app.services import samples
 from motion.procedural.library import SampleClip, steered
 from motion.rotations import angle_between
 from tests.app.conftest import Researching
-from tests.support.motions import walk, walks
+from tests.support.motions import walk, walk_bvh, walks
 
 GRAPHS = "/api/v1/graphs"
 
@@ -130,6 +130,28 @@ def test_clips_that_do_not_belong_together_are_named(author: Researching) -> Non
         "graph_unusable",
     )
     assert len(author.get(GRAPHS).json()["graphs"]) == 1, "nothing half done is kept"
+
+
+def test_a_graph_takes_no_clip_that_may_still_be_read_differently(author: Researching) -> None:
+    clip = author.upload("walk.bvh", walk_bvh()).json()["clip"]["id"]
+    wanted = {"name": "Waiting", "clips": {"walk": clip}}
+    assert refusal(author.post(GRAPHS, json=wanted)) == (409, "clip_to_confirm")
+    assert author.post(f"/api/v1/clips/{clip}/confirm").status_code == 200
+    assert author.post(GRAPHS, json=wanted).status_code == 201
+
+
+def test_a_graph_of_a_clip_that_was_just_deleted_is_not_kept(author: Researching) -> None:
+    wanted = walker(author)
+    slower = [{"operation": "tempo@1", "parameters": {"factor": 0.9}}]
+    edit = {"source": wanted["clips"]["walk"], "operations": slower}
+    clip = author.post("/api/v1/clips", json=edit).json()["id"]
+    wanted["clips"]["slower"] = clip
+    shape = {key: value for key, value in wanted.items() if key != "name"}
+    assert author.post(f"{GRAPHS}/preview", json=shape).status_code == 200
+    assert author.delete(f"/api/v1/clips/{clip}").status_code == 204
+    # The worker still knows the clip, so only the database can tell.
+    assert refusal(author.post(GRAPHS, json=wanted)) == (422, "clip_not_found")
+    assert [graph["kind"] for graph in author.get(GRAPHS).json()["graphs"]] == ["sample"]
 
 
 def test_a_steered_walk_comes_in_pieces_that_fit(author: Researching) -> None:
