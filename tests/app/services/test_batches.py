@@ -12,14 +12,15 @@ from uuid import UUID
 
 import pytest
 
-from app.errors import InvalidError
-from app.persistence import clips, jobs, researchers
+from app.errors import ConflictError, InvalidError
+from app.persistence import clips, jobs, poses, researchers
 from app.persistence.engine import Database, make_engine
 from app.persistence.locks import job_lock
+from app.persistence.models import PoseRecord
 from app.persistence.writer import Writer
 from app.schemas.edits import ClipRequest
 from app.schemas.jobs import Batch, JobDetail
-from app.services import batches, edits, samples
+from app.services import batches, catalogue, edits, library, samples
 from app.services.job_pool import JobPool
 from app.services.job_runner import JobRunner
 from tests.support.motions import walks
@@ -336,6 +337,29 @@ def test_a_source_deleted_meanwhile_is_told(database: Database, runner) -> None:
     runner(HerePool())
     job = ended(database, of_edited)
     assert (job.state, job.items[0].error) == ("failed", "Its source was deleted meanwhile.")
+
+
+def test_what_a_job_still_needs_stays(database: Database, runner) -> None:
+    first, second = submit(database, tempos(1)), tempos(1)
+    one = runner(HerePool())
+    made = ended(database, first).items[0].clip
+    one.close()
+    with database.writing() as db:
+        turns = {"head": [1.0, 0.0, 0.0, 0.0]}
+        poses.put(db, PoseRecord(id="a" * 64, name="bent", rotations=turns, frame=0))
+        db.commit()
+    offsets = [{"pose": "a" * 64, "amount": 1.0}]
+    posture = [{"operation": "posture@1", "parameters": {"offsets": offsets}}]
+    second.items[0] = ClipRequest(source=made, operations=posture)
+    job = submit(database, second)
+    for delete, what in ((library.delete, made), (catalogue.delete_pose, "a" * 64)):
+        with database.writing() as db, pytest.raises(ConflictError, match="job"):
+            delete(db, what)
+    with database.writing() as db:
+        batches.cancel(db, job)
+        library.delete(db, made)
+        catalogue.delete_pose(db, "a" * 64)
+    assert edited(database) == []
 
 
 def test_too_many_clips_are_refused_at_once(database: Database) -> None:
