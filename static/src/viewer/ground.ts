@@ -17,7 +17,12 @@ const { ground } = looks;
 const FLOOR = -0.003;
 /** Room for the cast shadow beside the disc. */
 const DISC_PLANE = 3.4;
-const GRID_PLANE = 2 * ground.grid.fadeRadius;
+/** Where nobody knows the way beforehand, more floor is seen, so that one sees it pass: metres. */
+const ROAMED_FADE = 3.4;
+/** How far a disc hides the grid. */
+const COVER = 0.9;
+const ROAMED_COVER = 0.25;
+const GRID_PLANE = 2 * ROAMED_FADE;
 
 const VERTEX = /* glsl */ `
 varying vec2 vPlace;
@@ -39,6 +44,7 @@ float line(float away, float pixels) {
 const GRID_FRAGMENT = /* glsl */ `
 uniform vec3 colour;
 uniform vec2 offset;
+uniform float reach;
 varying vec2 vPlace;
 varying vec3 vWorld;
 ${LINE}
@@ -49,7 +55,7 @@ float ruled(float along) {
 }
 void main() {
   vec2 place = vPlace + offset;
-  float fade = 1.0 - smoothstep(0.25 * FADE, FADE, length(vPlace));
+  float fade = 1.0 - smoothstep(0.25 * reach, reach, length(vPlace));
   float cover = max(ruled(place.x), ruled(place.y));
   gl_FragColor = vec4(colour, 0.6 * cover * fade * fade);
 }`;
@@ -60,6 +66,7 @@ uniform vec3 disc;
 uniform vec3 rim;
 uniform vec3 shade;
 uniform float radius;
+uniform float cover;
 uniform float ambient;
 uniform float contact;
 uniform float castAmount;
@@ -119,9 +126,9 @@ void main() {
 #endif
   float dark = 1.0 - light;
   vec3 colour = mix(disc, rim, edge);
-  float cover = max(inside * DISC_COVER, edge);
+  float covered = max(inside * cover, edge);
   // The shade lies over the disc: composed here by the "over" rule.
-  float alpha = dark + cover * (1.0 - dark);
+  float alpha = dark + covered * (1.0 - dark);
   gl_FragColor = vec4(mix(colour, shade, dark / max(alpha, 1e-4)), alpha);
 }`;
 
@@ -149,10 +156,9 @@ export class Floor {
     this.grid = new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: GRID_FRAGMENT,
-      uniforms: { colour: { value: new Color() }, offset: { value: new Vector2() } },
+      uniforms: { colour: { value: new Color() }, offset: { value: new Vector2() }, reach: { value: ground.grid.fadeRadius } },
       defines: {
         STEP: ground.grid.step.toFixed(3),
-        FADE: ground.grid.fadeRadius.toFixed(3),
         LINE_PIXELS: "1.0",
       },
       transparent: true,
@@ -169,6 +175,11 @@ export class Floor {
   travel(x: number, z: number): void {
     const { step } = ground.grid;
     (this.grid.uniforms["offset"]!.value as Vector2).set(x % step, z % step);
+  }
+
+  /** Reaches farther around a figure that is steered. */
+  roam(): void {
+    this.grid.uniforms["reach"]!.value = ROAMED_FADE;
   }
 
   dispose(): void {
@@ -193,6 +204,7 @@ export class Disc {
         rim: uniform(new Color()),
         shade: uniform(new Color()),
         radius: uniform(radius),
+        cover: uniform(COVER),
         ambient: uniform(0),
         contact: uniform(0),
         castAmount: uniform(0),
@@ -205,7 +217,6 @@ export class Disc {
         SOLES: Math.max(soles.length, 1),
         SIGMA: ground.shade.contactSigma.toFixed(4),
         RIM_PIXELS: "1.3",
-        DISC_COVER: "0.9",
         FADE: plain ? "1.0" : "1.5",
         PLANE: DISC_PLANE.toFixed(2),
         ...(plain ? { PLAIN: 1 } : {}),
@@ -224,6 +235,11 @@ export class Disc {
     uniforms["ambient"]!.value = ground.shade.ambient[mode];
     uniforms["contact"]!.value = ground.shade.contact[mode];
     uniforms["castAmount"]!.value = ground.shade.castOpacity[mode];
+  }
+
+  /** Lets the grid through, so that it is seen to pass under the feet. */
+  roam(): void {
+    this.material.uniforms["cover"]!.value = ROAMED_COVER;
   }
 
   dispose(): void {

@@ -92,6 +92,8 @@ export class Stage {
       );
     }
     figure.setPose(root, rotations, time);
+    figure.disc?.roam();
+    this.floor.roam();
     this.travel();
   }
 
