@@ -18,8 +18,9 @@ test("a number gets a slider where one can hit its values", () => {
 });
 
 test("parameters start at their defaults, and required ones with what may stand there", () => {
-  expect(startingParameters({ properties: { amount: AMOUNT, limbs: LIMBS, kind: { enum: ["even", "added"] }, keyframes: KEYS } }))
+  expect(startingParameters({ properties: { amount: AMOUNT, limbs: LIMBS, kind: { enum: ["even", "added"] }, keyframes: KEYS } }, "c1"))
     .toEqual({ amount: 1, limbs: null, kind: "even", keyframes: [] });
+  expect(startingParameters({ properties: { other: { type: "string", pattern: "x", refers: "clip" } } }, "c1")).toEqual({ other: "c1" });
   expect(startOf({ type: "number", minimum: 3, maximum: 5 })).toBe(3);
 });
 

@@ -17,15 +17,18 @@ export interface Schema {
   unit?: string;
   default?: Json;
   pattern?: string;
+  /** What the value is the id of. */
+  refers?: "clip" | "pose";
 }
 
-export type Kind = "number" | "choice" | "choices" | "flag" | "text" | "json";
+export type Kind = "clip" | "number" | "choice" | "choices" | "flag" | "text" | "json";
 
 /** Where a slider would be too coarse to hit anything, a field stands alone. */
 const WIDEST_SLIDER = 100;
 
 export function kindOf(schema: Schema): Kind {
   const types = [schema.type ?? []].flat();
+  if (schema.refers === "clip") return "clip";
   if (schema.enum) return "choice";
   if (types.includes("boolean")) return "flag";
   if (types.includes("number") || types.includes("integer")) return "number";
@@ -60,9 +63,11 @@ export function startOf(schema: Schema): Json {
   return [schema.type].flat().includes("array") ? [] : mayBeNull(schema) ? null : {};
 }
 
-/** Parameters to begin with. */
-export const startingParameters = (schema: Schema): Parameters =>
-  Object.fromEntries(Object.entries(schema.properties ?? {}).map(([name, member]) => [name, startOf(member)]));
+/** Parameters to begin with; where another clip belongs, the clip itself stands until one is chosen. */
+export const startingParameters = (schema: Schema, clip: string): Parameters =>
+  Object.fromEntries(
+    Object.entries(schema.properties ?? {}).map(([name, member]) => [name, kindOf(member) === "clip" ? clip : startOf(member)]),
+  );
 
 /** The words of a name that programs use. */
 export const inWords = (name: Json): string => String(name).replaceAll("_", " ");

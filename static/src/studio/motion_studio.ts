@@ -24,7 +24,7 @@ const NO_CONTACTS = { left: [], right: [] };
 export class MotionStudio extends LitElement {
   @property({ attribute: "clip" }) wanted = "";
   @state() private session: Session | null = null;
-  @state() private offers: Offers = { presets: [], operations: [], poses: [] };
+  @state() private offers: Omit<Offers, "clips"> = { presets: [], operations: [], poses: [] };
   @state() private clips: server.Clip[] = [];
   @state() private failure: ApiError | null = null;
   @state() private original = false;
@@ -282,7 +282,7 @@ export class MotionStudio extends LitElement {
         <aside class="side movement" aria-label="How it moves" @pointerdown=${{ handleEvent: note, capture: true }}
           @pointermove=${{ handleEvent: note, capture: true }} @keydown=${{ handleEvent: note, capture: true }}
           @input=${{ handleEvent: note, capture: true }}>
-          ${session ? movementPanel(session, this.offers, { capture: () => void this.capture(), forget: (pose) => this.forget(pose) }) : nothing}</aside>
+          ${session ? movementPanel(session, { ...this.offers, clips: this.clips }, { capture: () => void this.capture(), forget: (pose) => this.forget(pose) }) : nothing}</aside>
         ${stage(session, { original, arrangement, failure }, {
           ready: () => this.onReady(),
           motion: () => this.onMotion(),

@@ -10,7 +10,7 @@ import {
   withBands, withGrid, withPosture, type GridPoint,
 } from "./recipe";
 import { schemaForm } from "./schema_form";
-import { stepsOf, type Operation, type Pose, type Preset } from "./server";
+import { stepsOf, type Clip, type Operation, type Pose, type Preset } from "./server";
 import type { Session } from "./session";
 import { amountSlider, resetButton } from "./slider";
 import "./equaliser";
@@ -20,6 +20,7 @@ export interface Offers {
   presets: Preset[];
   operations: Operation[];
   poses: Pose[];
+  clips: Clip[];
 }
 
 export type NamedPose = Pick<Pose, "id" | "name">;
@@ -40,7 +41,7 @@ const SHORT: Record<string, string> = {
 export function movementPanel(session: Session, offers: Offers, acts: MovementActs): TemplateResult {
   // What opened once because it is in use stays open until it is closed by hand (`noChange`).
   return html`${presets(session, offers.presets)} ${postures(session, offers.poses, acts)} ${pathAndTiming(session)}
-    ${bands(session)} ${more(session, offers.operations)}`;
+    ${bands(session)} ${more(session, offers)}`;
 }
 
 function presets(session: Session, all: Preset[]): TemplateResult {
@@ -55,7 +56,8 @@ function presets(session: Session, all: Preset[]): TemplateResult {
     ${all.length > ROWS
       ? html`<details class="proposals" ?open=${all.slice(ROWS).some(({ name }) => name === session.preset) || noChange}><summary>More presets</summary>
           <div class="chips" role="group" aria-label="More presets">${all.slice(ROWS).map(chip)}</div></details>`
-      : nothing}</section>`;
+      : nothing}
+    <p class="hint" role="status">${all.find(({ name }) => name === session.preset)?.summary ?? nothing}</p></section>`;
 }
 
 function postures(session: Session, poses: Pose[], { capture, forget }: MovementActs): TemplateResult {
@@ -110,11 +112,11 @@ function bands(session: Session): TemplateResult {
     ${changed ? html`<div class="end"><button class="link-button" type="button" @click=${() => session.change(put(session.steps, BANDS, null), "bands")}>Reset all bands</button></div>` : nothing}</details>`;
 }
 
-function more(session: Session, operations: Operation[]): TemplateResult {
+function more(session: Session, { operations, clips }: Offers): TemplateResult {
   const extras = extrasOf(session.steps);
   const offered = operations.filter(({ name }) => ![GRID, POSTURE, BANDS].includes(name));
   const add = ({ name, parameters }: Operation) =>
-    session.change(insert(session.steps, { operation: name, parameters: startingParameters(parameters) }), `add ${name}`);
+    session.change(insert(session.steps, { operation: name, parameters: startingParameters(parameters, session.source.id) }), `add ${name}`);
   return html`<details ?open=${extras.length > 0 || noChange}><summary><h2>More</h2><span class="tiny">tempo, limbs, contacts …</span></summary>
     ${extras.map(({ step, place }) => {
       const known = operations.find(({ name }) => name === step.operation);
@@ -124,7 +126,7 @@ function more(session: Session, operations: Operation[]): TemplateResult {
       const remove = () => session.change(replaceAt(session.steps, place, null), `remove ${place}`);
       return html`<div class="extra ${place === session.faultyStep ? "faulty" : ""}" role="group" aria-label=${title}>
         <header><h3>${title}</h3><button class="link-button" type="button" aria-label="Take out ${title}" @click=${remove}>Take out</button></header>
-        ${known ? schemaForm(known.parameters, step.parameters, set) : html`<p class="hint">This server does not know ${step.operation}.</p>`}</div>`;
+        ${known ? schemaForm(known.parameters, step.parameters, clips, set) : html`<p class="hint">This server does not know ${step.operation}.</p>`}</div>`;
     })}
     <div class="chips" role="group" aria-label="Add">${offered.map(
       (operation) => html`<button class="chip" type="button" title=${operation.summary} @click=${() => add(operation)}>${icon("plus")}${operation.title}</button>`,

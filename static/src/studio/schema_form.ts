@@ -3,20 +3,24 @@ import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { hasSlider, inWords, isWhole, kindOf, mayBeNull, readJson, startOf, stepOf, type Schema } from "./form_model";
 import { textOf, type Json, type Parameters } from "./recipe";
+import type { Clip } from "./server";
 import { amountSlider } from "./slider";
 
 type Set = (value: Json) => void;
+type Named = Pick<Clip, "id" | "name">;
 
-export function schemaForm(schema: Schema, parameters: Parameters, set: (parameters: Parameters, name: string) => void): TemplateResult {
+export function schemaForm(schema: Schema, parameters: Parameters, clips: readonly Named[], set: (parameters: Parameters, name: string) => void): TemplateResult {
   return html`${Object.entries(schema.properties ?? {}).map(([name, member]) =>
-    control(name, member, parameters[name] ?? startOf(member), (value) => set({ ...parameters, [name]: value }, name)),
+    control(name, member, parameters[name] ?? startOf(member), clips, (value) => set({ ...parameters, [name]: value }, name)),
   )}`;
 }
 
-function control(name: string, schema: Schema, value: Json, set: Set): TemplateResult {
+function control(name: string, schema: Schema, value: Json, clips: readonly Named[], set: Set): TemplateResult {
   const label = schema.title ?? inWords(name);
+  const kind = kindOf(schema);
+  if (kind === "clip") return clipChoice(label, schema, value, clips, set);
   const makers = { number, choice, choices, flag, text, json };
-  return makers[kindOf(schema)](label, schema, value, set);
+  return makers[kind](label, schema, value, set);
 }
 
 function number(label: string, schema: Schema, value: Json, set: Set): TemplateResult {
@@ -45,6 +49,16 @@ function choice(label: string, schema: Schema, value: Json, set: Set): TemplateR
   const choose = (event: Event) => set((event.target as HTMLSelectElement).value);
   return row(label, schema, html`<select class="input" @change=${choose}>
     ${schema.enum!.map((option) => html`<option value=${String(option)} ?selected=${option === value}>${inWords(option)}</option>`)}
+  </select>`);
+}
+
+/** Another clip by its name; one that is not known here keeps its id. */
+function clipChoice(label: string, schema: Schema, value: Json, clips: readonly Named[], set: Set): TemplateResult {
+  const unknown = clips.every(({ id }) => id !== value);
+  const choose = (event: Event) => set((event.target as HTMLSelectElement).value);
+  return row(label, schema, html`<select class="input" @change=${choose}>
+    ${unknown ? html`<option value=${String(value)} selected>${String(value).slice(0, 8)}</option>` : nothing}
+    ${clips.map(({ id, name }) => html`<option value=${id} ?selected=${id === value}>${name}</option>`)}
   </select>`);
 }
 
