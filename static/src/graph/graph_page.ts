@@ -47,7 +47,9 @@ export class GraphPage extends LitElement {
   @state() private most = ROWS;
   /** What threshold and fade would give while their sliders move. */
   @state() private draft: Draft | null = null;
-  @state() private saving = false;
+  /** Changes on their way to the server, and the end of the last of them. */
+  @state() private saving = 0;
+  private saved: Promise<void> = Promise.resolve();
   private readonly previews = new Latest<Draft>((draft) => this.preview(draft));
   private readonly keys = new HeldKeys((direction) => this.hold(direction));
 
@@ -162,13 +164,18 @@ export class GraphPage extends LitElement {
     return { name, clips, threshold, fade, removed, added, ...change };
   }
 
-  private async save(change: Change): Promise<void> {
-    this.saving = true;
-    await this.attempt(async () => {
-      this.detail = await api.put<GraphDetail>(this.address, this.request(change));
+  private keep(limits: Partial<Limits>): void {
+    void this.save(() => limits);
+  }
+
+  /** One change after the other: each begins with what the one before has left. */
+  private save(changed: (now: GraphDetail) => Change): Promise<void> {
+    this.saving += 1;
+    this.saved = this.saved.catch(() => {}).then(() => this.attempt(async () => {
+      this.detail = await api.put<GraphDetail>(this.address, this.request(changed(this.detail!)));
       this.draft = null;
-    });
-    this.saving = false;
+    })).finally(() => (this.saving -= 1));
+    return this.saved;
   }
 
   private tryOut(limits: Partial<Limits>): void {
@@ -213,7 +220,7 @@ export class GraphPage extends LitElement {
   private header(detail: GraphDetail): TemplateResult {
     const rename = (event: Event) => {
       const name = (event.target as HTMLInputElement).value.trim();
-      if (name && name !== detail.name) void this.save({ name });
+      if (name && name !== detail.name) void this.save(() => ({ name }));
     };
     return html`<header class="page-header">
       ${this.own
@@ -237,8 +244,8 @@ export class GraphPage extends LitElement {
             more: () => (this.most += 2 * ROWS),
             show: (transition) => this.show(transition),
             remove: (transition) => void this.leaveOut(transition),
-            restore: (key) => void this.save({ removed: detail.removed.filter((one) => !sameKey(one, key)) }),
-            add: (key) => void this.save({ added: [...detail.added, key] }),
+            restore: (key) => void this.save(({ removed }) => ({ removed: removed.filter((one) => !sameKey(one, key)) })),
+            add: (key) => void this.save(({ added }) => ({ added: [...added, key] })),
           },
         )}</section>
     </div>`;
@@ -246,9 +253,9 @@ export class GraphPage extends LitElement {
 
   /** One that was added by hand is simply gone; one that was found is remembered as left out. */
   private async leaveOut(transition: Key & { added: boolean }): Promise<void> {
-    const { removed, added } = this.detail!;
-    if (transition.added) await this.save({ added: added.filter((one) => !sameKey(one, transition)) });
-    else await this.save({ removed: [...removed, keyOf(transition)] });
+    await this.save(({ removed, added }) => transition.added
+      ? { added: added.filter((one) => !sameKey(one, transition)) }
+      : { removed: [...removed, keyOf(transition)] });
   }
 
   private stage(detail: GraphDetail): TemplateResult {
@@ -313,8 +320,8 @@ export class GraphPage extends LitElement {
     const found = this.draft ? this.draft.found : detail;
     const slider = (label: string, value: number, unit: string, range: [number, number, number], name: "threshold" | "fade", scale: number) => html`<label class="limit">
       <span>${label}</span><input type="range" min=${range[0]} max=${range[1]} step=${range[2]} .value=${String(value)} ?disabled=${!this.own}
-        aria-valuetext="${value} ${unit}" @input=${(event: Event) => this.tryOut({ [name]: Number((event.target as HTMLInputElement).value) / scale })}
-        @change=${(event: Event) => void this.save({ [name]: Number((event.target as HTMLInputElement).value) / scale })}>
+        aria-valuetext="${value} ${unit}" @input=${(event: Event) => this.tryOut({ [name]: numberOf(event) / scale })}
+        @change=${(event: Event) => this.keep({ [name]: numberOf(event) / scale })}>
       <span class="number">${value} ${unit}</span></label>`;
     return html`<section @pointerup=${leaveSlider}><header><h2>Likeness</h2>
         <span class="tiny" role="status">${found ? `${found.transitions.length} transitions` : "counting"}${this.saving ? ", saving" : ""}</span></header>
@@ -325,6 +332,8 @@ export class GraphPage extends LitElement {
         : "This graph comes with the server. Copy it to change its transitions."}</p></section>`;
   }
 }
+
+const numberOf = (event: Event): number => Number((event.target as HTMLInputElement).value);
 
 /** After a slider was moved by pointer, arrows steer again. */
 function leaveSlider(event: Event): void {
