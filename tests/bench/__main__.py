@@ -10,13 +10,14 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from tests.bench import api_rows, editing_rows, motion_rows, web_rows
+from tests.bench import api_rows, batch_rows, editing_rows, motion_rows, web_rows
 from tests.bench.measure import RUNS, Row
 
 SECTIONS = {
     "motion": motion_rows.rows,
     "editing": editing_rows.rows,
     "api": api_rows.rows,
+    "batch": batch_rows.rows,
     "web": web_rows.rows,
 }
 
