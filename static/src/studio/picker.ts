@@ -31,7 +31,7 @@ export class ClipPicker extends LitElement {
 
   protected override render(): TemplateResult | typeof nothing {
     if (!this.open) return nothing;
-    const usable = this.clips.filter(({ figure_url, state }) => figure_url && state !== "retired");
+    const usable = this.clips.filter(({ figure_url, state }) => figure_url && state === "kept");
     const found = find(usable, this.family, this.query);
     const search = (event: InputEvent) => (this.query = (event.target as HTMLInputElement).value);
     return html`<dialog class="picker" aria-label="Choose a clip" @close=${() => (this.open = false)}>
