@@ -105,7 +105,11 @@ def test_two_servers_a_cluster_and_postgresql_work_as_one(
     walks = sorted(map(str, motions_dir.glob("bandai-namco/walk_*.bvh")))[:6]
     told = manner(environment, "import", "--yes", *walks)
     assert told.count("✓") == 6
-    assert tasks_done(cluster) >= 6
+    before = tasks_done(cluster)
+    assert before >= 6
+    manner(environment, "make-set", "foerger")
+    assert count(empty_postgresql, "clips WHERE source = 'edited'") == 20
+    assert tasks_done(cluster) > before
 
     folders = [tmp_path / name for name in ("one", "two")]
     servers = [
@@ -124,7 +128,7 @@ def test_two_servers_a_cluster_and_postgresql_work_as_one(
                 first.start()
         for server in servers:
             assert get(f"{server.url}/api/v1/sessions/{token}")["next"] == 22
-        assert rows(empty_postgresql) == 22
+        assert count(empty_postgresql, "responses") == 22
     finally:
         for server in servers:
             server.stop()
@@ -144,9 +148,9 @@ def tasks_done(address: str) -> int:
         return sum(client.run(log_of).values())
 
 
-def rows(database: str) -> int:
+def count(database: str, what: str) -> int:
     engine = make_engine(database)
     with engine.connect() as connection:
-        count = connection.execute(text("SELECT count(*) FROM responses")).scalar_one()
+        counted = connection.execute(text(f"SELECT count(*) FROM {what}")).scalar_one()
     engine.dispose()
-    return int(count)
+    return int(counted)
