@@ -16,7 +16,7 @@ router = APIRouter(include_in_schema=False)
 
 @router.get("/")
 def first_page(request: Request, db: Reading, _: MaybeResearcher) -> HTMLResponse:
-    """What this is, and the three ways on."""
+    """What this is, and the ways on."""
     found = landing.find(db)
     return render(request, "landing.html", clip=found.clip, study=found.study)
 
