@@ -30,13 +30,19 @@ export const fineLines = (findings: readonly Finding[]): string[] =>
     .filter(([kind]) => findings.every((finding) => finding.kind !== kind))
     .map(([, [, fine]]) => fine);
 
-/** "7 mm", "12°", "3.1 m/s³". */
+/** "7 mm", "12°", "3.1 m/s³"; what is near its limit is not rounded to it. */
 export function sizeWords(size: number, unit: string): string {
-  if (unit === "m") return size < 0.1 ? `${Math.round(size * 1000)} mm` : `${rounded(size, 0.01)} m`;
+  if (unit === "m") return size < 0.1 ? `${Number((size * 1000).toFixed(size < 0.01 ? 1 : 0))} mm` : `${rounded(size, 0.01)} m`;
   if (unit === "°") return `${Math.round(size)}°`;
   const digits = size >= 100 ? 0 : size >= 10 ? 1 : 2;
   return `${size.toFixed(digits)} ${unit}`.trim();
 }
+
+/** How far an edit was eased off; where nothing of it is left, that is said. */
+export const easedWords = (share: number): string =>
+  share > 0
+    ? `Eased off to ${Math.round(share * 100)} % of what it was.`
+    : "Only without the edit is all well. Undo brings it back.";
 
 /** "at 4.9 s", or "from 4.9 to 6.2 s" for what lasts. */
 export function timeWords({ start, end }: Finding): string {

@@ -3,6 +3,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { ApiError } from "../api";
 import type { MotionViewer } from "../viewer";
+import { easedWords } from "./checks";
 import { CompareKey } from "./compare_key";
 import { dropDraft } from "./draft";
 import { movementPanel, type NamedPose, type Offers } from "./movement_panel";
@@ -39,7 +40,10 @@ export class MotionStudio extends LitElement {
   @state() private stageViewer: MotionViewer | null = null;
   private shownAt = 0;
   private readonly compareKey = new CompareKey(() => this.original, (original) => this.compare(original));
-  private readonly online = () => this.session?.retry();
+  private readonly online = () => {
+    if (this.failure?.transient) this.failure = null;
+    this.session?.retry();
+  };
   private readonly keyDown = (event: KeyboardEvent) => this.onKey(event);
   private readonly keyUp = (event: KeyboardEvent) => event.key.toLowerCase() === "c" && this.compareKey.up(event);
 
@@ -244,7 +248,7 @@ export class MotionStudio extends LitElement {
       seek: (finding) => this.seek(finding.start),
       easeOff: () => void this.attempt(async () => {
         const share = await this.session!.easeOff();
-        this.eased = { steps: this.session!.steps, words: `Eased off to ${Math.round(share * 100)} % of what it was.` };
+        this.eased = { steps: this.session!.steps, words: easedWords(share) };
       }),
       open: (id) => void this.attempt(() => this.open(id)),
       remove: (clip) => this.discard(clip),
