@@ -29,6 +29,7 @@ Array = NDArray[np.float64]
 _APART = 0.3  # s between two transitions of the same pair of clips, at both ends
 _GOOD = 0.5  # of the threshold: below, a transition need not be at a minimum
 _SAME = 0.02  # m: a clip whose frames are all that near to each other stands still
+_MOST = 2000  # transitions: each is linked with every one that can follow it
 _FEWER = 1e-3  # frames that a transition counts more: of two ways as long, that with fewer is taken
 
 Key = tuple[str, int, str, int]  # a transition's source, source frame, target and target frame
@@ -165,7 +166,8 @@ def build_graph(
         added: transitions that are there whatever their distance.
 
     Raises:
-        MotionError: if the clips do not belong together, or an added transition has no place.
+        MotionError: if the clips do not belong together, an added transition has no place, or
+            there are too many.
     """
     step = _common_frame_time(clips)
     frames = max(2, round(fade / step))
@@ -174,6 +176,11 @@ def build_graph(
     found = [t for source, target in product(clips, clips) for t in search.between(source, target)]
     ways = {t.key: t for t in found if t.key not in removed}
     ways |= {key: search.at(*key) for key in added}
+    if len(ways) > _MOST:
+        raise MotionError(
+            f"These clips have {len(ways)} transitions; a graph takes up to {_MOST}. Lower the "
+            "threshold, or cut long clips shorter."
+        )
     order = {name: index for index, name in enumerate(clips)}
     kept = sorted(ways.values(), key=lambda t: (order[t.source], t.source_frame, order[t.target]))
     return _strongly_connected(MotionGraph(dict(clips), tuple(kept), frames))

@@ -292,3 +292,13 @@ def test_the_way_is_the_soonest_of_all(graph):
             frames += {b: a for a, b in graph.leaving(here, at)}[t] + graph.fade
             here, at = t.target, t.target_frame + graph.fade
         assert frames == soonest(clip, frame, target, 2)
+
+
+def test_a_graph_of_too_many_transitions_says_what_to_do(graph, monkeypatch):
+    """Every one is linked with all that can follow it: their number squared is what it costs."""
+    count = len(graph.transitions) + len(graph.dead_ends)
+    monkeypatch.setattr("motion.graph._MOST", count)
+    assert len(build_graph(graph.clips).transitions) == len(graph.transitions)
+    monkeypatch.setattr("motion.graph._MOST", count - 1)
+    with pytest.raises(MotionError, match="Lower the threshold"):
+        build_graph(graph.clips)
