@@ -181,6 +181,23 @@ def test_an_edit_is_made_saved_and_opened_again_by_keyboard_alone(studio: Page):
     expect(page.locator(".variants")).to_contain_text("a little shy")
 
 
+def test_a_captured_pose_and_a_variant_are_deleted_after_asking(studio: Page):
+    page = studio
+    asked: list[str] = []
+    page.on("dialog", lambda dialog: (asked.append(dialog.message), dialog.accept()))
+    choose(page, "strong")
+    page.get_by_role("button", name="Capture pose from this frame").click()
+    variant = page.locator(".variants li", has_text="strong")
+    expect(variant).to_have_count(1, timeout=PATIENCE)
+    delete_pose = page.get_by_role("button", name=re.compile(r"^Delete \d"))
+    delete_pose.click(timeout=PATIENCE)
+    expect(delete_pose).to_have_count(0)
+    variant.get_by_role("button", name="Delete").click()
+    expect(variant).to_have_count(0)
+    expect(pad(page)).to_have_attribute("aria-valuetext", NEUTRAL, timeout=PATIENCE)
+    assert [words.split(" “")[0] for words in asked] == ["Delete the pose", "Delete"]
+
+
 def test_unsaved_edits_outlive_the_page_until_they_are_thrown_away(studio: Page):
     page = studio
     choose(page, "tired")
