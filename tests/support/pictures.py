@@ -96,9 +96,25 @@ def take_all(context: BrowserContext, server: Server) -> None:
         for name, path in (("library", "/library"), ("viewer", clip), ("results", RESULTS)):
             page.goto(server.url + path)
             shot(page, f"{name}-{scheme}", full=name == "results")
+        studio(page, server, clip, f"studio-{scheme}")
     page.emulate_media(color_scheme="light")
-    page.goto(server.url)
-    shot(page, "landing")
+    for name, path in (("graph", "/graphs/sample"), ("sets", "/research/sets"), ("landing", "/")):
+        page.goto(server.url + path)
+        if name == "sets":
+            page.get_by_role("button", name="Förger’s 20").click()
+        shot(page, name)
+    page.set_viewport_size(PHONE)
+    studio(page, server, clip, "studio-phone")
+
+
+def studio(page: Page, server: Server, clip: str, name: str) -> None:
+    """The studio with a preset chosen, once figure and checks follow it."""
+    page.goto(f"{server.url}/studio?clip={clip.rpartition('/')[2]}")
+    page.wait_for_selector(".studio-stage[aria-busy=false]", timeout=120_000)
+    if name != "studio-phone":
+        page.get_by_role("button", name="sad", exact=True).click()
+        page.wait_for_selector(".report:not(.stale)", timeout=120_000)
+    shot(page, name)
 
 
 def walking_clip(page: Page, server: Server) -> str:
