@@ -17,7 +17,11 @@ _STEPS: list[JsonValue] = [
 ]
 _POSE_ID = "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"
 
-Name = Annotated[str, StringConstraints(min_length=1, max_length=200, strip_whitespace=True)]
+# PostgreSQL stores no NUL, and would say so only when a job has made the clip.
+Name = Annotated[
+    str,
+    StringConstraints(min_length=1, max_length=200, strip_whitespace=True, pattern=r"^[^\x00]*$"),
+]
 TagName = Annotated[str, StringConstraints(min_length=1, max_length=50)]
 TagValue = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Tags = Annotated[dict[TagName, TagValue], Field(max_length=32)]

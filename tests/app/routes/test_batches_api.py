@@ -226,3 +226,13 @@ def test_without_the_sample_library_foergers_twenty_are_missing_with_a_mend(
     response = program.call("get", "/api/v1/sets/foerger")
     assert response.status_code == 404
     assert "manner prepare" in response.json()["error"]["mend"]
+
+
+def test_a_name_that_no_database_stores_is_refused_before_anything_begins(
+    program: Program, samples_made: int
+) -> None:
+    item = {"source": walk().content_hash, "preset": "sad", "name": "sad\0walk"}
+    response = program.call("post", BATCH, json={"items": [item]})
+    assert response.status_code == 422
+    assert "items.0.name" in response.json()["error"]["message"]
+    assert program.call("get", "/api/v1/jobs").json() == {"jobs": []}
