@@ -54,8 +54,8 @@ function presets(session: Session, all: Preset[]): TemplateResult {
   return html`<section><header><h2>Preset</h2><span class="tiny">a starting point</span></header>
     <div class="chips" role="group" aria-label="Presets">${all.slice(0, ROWS).map(chip)}</div>
     ${all.length > ROWS
-      ? html`<details class="proposals" ?open=${all.slice(ROWS).some(({ name }) => name === session.preset) || noChange}><summary>More presets</summary>
-          <div class="chips" role="group" aria-label="More presets">${all.slice(ROWS).map(chip)}</div></details>`
+      ? html`<details class="proposals" ?open=${all.slice(ROWS).some(({ name }) => name === session.preset) || noChange}><summary>Further presets</summary>
+          <div class="chips" role="group" aria-label="Further presets">${all.slice(ROWS).map(chip)}</div></details>`
       : nothing}
     <p class="hint" role="status">${all.find(({ name }) => name === session.preset)?.summary ?? nothing}</p></section>`;
 }
