@@ -22,7 +22,7 @@ from motion.graph_steer import Manner, Piece, Place, next_piece
 from motion.storage import clip_from_bytes
 
 GRAPHS_KEPT = 6
-MOST_FRAMES = 6000  # of all clips of a graph: every frame is compared with every other
+MOST_FRAMES = 4000  # of all clips of a graph: every frame is compared with every other
 
 
 @dataclass(frozen=True)
