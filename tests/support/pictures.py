@@ -98,6 +98,11 @@ def take_all(context: BrowserContext, server: Server) -> None:
             shot(page, f"{name}-{scheme}", full=name == "results")
         studio(page, server, clip, f"studio-{scheme}")
     page.emulate_media(color_scheme="light")
+    take_the_rest(page, server, clip)
+
+
+def take_the_rest(page: Page, server: Server, clip: str) -> None:
+    """The pages that are pictured in the light only."""
     for name, path in (("graph", "/graphs/sample"), ("sets", "/research/sets"), ("landing", "/")):
         page.goto(server.url + path)
         if name == "sets":
@@ -109,6 +114,7 @@ def take_all(context: BrowserContext, server: Server) -> None:
 
 def studio(page: Page, server: Server, clip: str, name: str) -> None:
     """The studio with a preset chosen, once figure and checks follow it."""
+    page.evaluate("localStorage.clear()")  # the draft of the picture before
     page.goto(f"{server.url}/studio?clip={clip.rpartition('/')[2]}")
     page.wait_for_selector(".studio-stage[aria-busy=false]", timeout=120_000)
     if name != "studio-phone":
@@ -125,7 +131,8 @@ def walking_clip(page: Page, server: Server) -> str:
 
 def shot(page: Page, name: str, *, full: bool = False) -> None:
     """One picture, once everything on the page has arrived and the figures have been drawn."""
-    page.wait_for_load_state("networkidle")
+    # A steered character asks for more motion all the time.
+    page.wait_for_load_state("load" if "/graphs/" in page.url else "networkidle")
     if full:  # figures that never were in view are not drawn
         page.keyboard.press("End")
         page.wait_for_timeout(6000)

@@ -54,7 +54,7 @@ function notes(session: Session | null, { failure }: StageState, { again, dismis
     const [words, act] = session ? ["All right", dismiss] : ["Load the studio again", again];
     return note(failure.message, failure.mend, html`<button class="link-button" type="button" @click=${act}>${words}</button>`);
   }
-  if (!session?.fromDraft) return nothing;
+  if (!session?.fromDraft || session.isSaved) return nothing;
   return html`<div class="note" role="status">${icon("info")}<p>These are your edits of last time, not yet saved.
     <button class="link-button" type="button" @click=${() => session.startOver()}>Start over</button></p></div>`;
 }
