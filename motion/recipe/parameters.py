@@ -7,6 +7,7 @@ the default, a pose's or clip's name stays a name. Every fault names its place a
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -22,7 +23,7 @@ _SHOWN = 40  # characters of a faulty value that are told
 
 
 @dataclass(frozen=True, kw_only=True)
-class Parameter:
+class Parameter(ABC):
     """What all parameters have.
 
     Attributes:
@@ -74,11 +75,13 @@ class Parameter:
         """Kind ("pose" or "clip") and name of everything that a value refers to."""
         return iter(())
 
+    @abstractmethod
     def _read(self, value: object, where: Where) -> Value:
-        raise NotImplementedError
+        """The canonical value of one that is there."""
 
+    @abstractmethod
     def _schema(self) -> dict[str, Value]:
-        raise NotImplementedError
+        """What is particular to this kind of parameter."""
 
 
 @dataclass(frozen=True, kw_only=True)
