@@ -10,7 +10,7 @@ from starlette.testclient import TestClient
 from app import errors
 from app.main import create_app
 from app.settings import Settings
-from tests.app.conftest import csrf_token
+from tests.app.conftest import Researching, csrf_token
 
 DETAILED = errors.ConflictError(
     "It is taken.", code="taken", where={"line": 3}, mend="Take another.", extra={"offer": "b"}
@@ -98,9 +98,9 @@ def test_an_unforeseen_fault_shows_its_number_and_nothing_else(faulty_client: Te
 
 @pytest.mark.parametrize("path", ["/studies/%00", "/library/a%00b", "/api/v1/clips/%00"])
 def test_an_address_that_no_database_can_look_up_is_no_fault_of_ours(
-    client: TestClient, path: str
+    signed_in: Researching, path: str
 ) -> None:
-    response = client.get(path)
+    response = signed_in.client.get(path)
     assert response.status_code in (404, 422)
     assert "internal" not in response.text
 
