@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from motion.rotations import angle_between
 from tests.browser.conftest import DESKTOP, PHONE
@@ -155,6 +155,27 @@ def test_fingers_steer_by_buttons_that_are_large_enough(steered: Page, server: S
         is_in(page, clip)
     shows_no_jump(page)
     context.close()
+
+
+def test_who_steers_before_the_figure_has_come_is_not_forgotten(steered: Page, server: Server):
+    page = steered
+    held: list[Route] = []
+    come = False
+
+    def hold(route: Route) -> None:
+        if come:
+            route.continue_()
+        else:
+            held.append(route)
+
+    page.route(re.compile(r"\.glb"), hold)
+    with page.expect_request(re.compile(r"\.glb")):
+        page.goto(server.url + "/graphs/sample")
+    page.get_by_role("button", name="Left", exact=True).click()
+    come = True
+    for route in held:
+        route.continue_()
+    is_in(page, "turn left")
 
 
 def test_a_graph_is_copied_changed_played_and_deleted(research_page: Page, server: Server):

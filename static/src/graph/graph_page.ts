@@ -43,6 +43,8 @@ export class GraphPage extends LitElement {
   @state() private pressed: Direction | null = "stop";
   @state() private held: Direction | null = null;
   @state() private shown: Queued | null = null;
+  /** The transition that is to be looked at, until somebody steers again. */
+  @state() private asked: Key | null = null;
   @state() private filter = { from: "", to: "" };
   @state() private most = ROWS;
   /** What threshold and fade would give while their sliders move. */
@@ -108,6 +110,8 @@ export class GraphPage extends LitElement {
     });
     this.walker.change(this.manner);
     this.walker.start();
+    if (this.asked) this.show(this.asked); // whoever was quicker than the figure is not forgotten
+    else this.follow();
   };
 
   /** The place may have become a dead end, when the graph was changed: begin again. */
@@ -133,6 +137,7 @@ export class GraphPage extends LitElement {
   }
 
   private follow(): void {
+    this.asked = null;
     const known = directionsOf(this.detail?.members.map(({ name }) => name) ?? []);
     const direction = this.held ?? this.pressed ?? "stop";
     const clip = known[direction] ?? known.stop ?? known.ahead;
@@ -140,6 +145,7 @@ export class GraphPage extends LitElement {
   }
 
   private goTo(name: string): void {
+    this.asked = null;
     const known = directionsOf(this.detail?.members.map((member) => member.name) ?? []);
     const [direction] = Object.entries(known).find(([, clip]) => clip === name) ?? [];
     this.pressed = (direction as Direction | undefined) ?? null;
@@ -148,6 +154,7 @@ export class GraphPage extends LitElement {
 
   private show(key: Key): void {
     this.goTo(key.target);
+    this.asked = key;
     this.walker?.show(keyOf(key));
     this.querySelector(".graph-stage")?.scrollIntoView({ block: "nearest" });
   }
@@ -238,7 +245,7 @@ export class GraphPage extends LitElement {
       <aside class="graph-side">${this.controls()}${this.drawing(detail)}${this.limits(detail)}</aside>
       <section class="graph-transitions" aria-label="Transitions"><h2>Transitions</h2>
         ${transitionTable(
-          { graph: detail, ...this.filter, most: this.most, playing: this.shown?.piece.taken ?? null },
+          { graph: detail, ...this.filter, most: this.most, chosen: this.asked ?? this.shown?.piece.taken ?? null },
           {
             filter: (from, to) => ((this.filter = { from, to }), (this.most = ROWS)),
             more: () => (this.most += 2 * ROWS),

@@ -10,7 +10,8 @@ export interface TableState {
   from: string;
   to: string;
   most: number;
-  playing: Key | null;
+  /** What is looked at, or taken just now. */
+  chosen: Key | null;
 }
 
 export interface TableActs {
@@ -45,12 +46,12 @@ export function transitionTable(state: TableState, acts: TableActs): TemplateRes
     ${graph.kind === "own" ? html`${addition(graph, acts)}${removals(graph, acts)}` : nothing}`;
 }
 
-function row(one: Transition, { graph, playing }: TableState, acts: TableActs): TemplateResult {
+function row(one: Transition, { graph, chosen }: TableState, acts: TableActs): TemplateResult {
   const frameTime = graph.members[0]!.frame_time;
   const at = (frame: number) => html`<td class="number" title="frame ${frame}">${seconds(frame, frameTime)}</td>`;
   const words = `${clipWords(one.source)} at ${seconds(one.source_frame, frameTime)} to ${clipWords(one.target)}`;
-  const isPlaying = playing !== null && sameKey(playing, one);
-  return html`<tr class=${isPlaying ? "chosen" : ""} data-choose @click=${() => acts.show(one)}>
+  const isChosen = chosen !== null && sameKey(chosen, one);
+  return html`<tr class=${isChosen ? "chosen" : ""} data-choose @click=${() => acts.show(one)}>
     <th scope="row">${clipWords(one.source)}${one.added ? html` <span class="tag">added</span>` : nothing}</th>${at(one.source_frame)}
     <td>${clipWords(one.target)}</td>${at(one.target_frame)}
     <td class="number">${centimetres(one.distance)}</td><td class="number">${degrees(one.turn)}</td>
