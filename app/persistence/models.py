@@ -11,6 +11,7 @@ from sqlalchemy import (
     BigInteger,
     Dialect,
     ForeignKey,
+    Index,
     Integer,
     LargeBinary,
     MetaData,
@@ -65,9 +66,9 @@ class Base(DeclarativeBase):
         datetime: UtcDateTime,
         dict[str, Any]: JSON(none_as_null=True),
         dict[str, str]: JSON(none_as_null=True),
-        dict[str, int]: JSON(none_as_null=True),
         dict[str, list[float]]: JSON(none_as_null=True),
         list[dict[str, Any]]: JSON(none_as_null=True),
+        list[str]: JSON(none_as_null=True),
     }
 
 
@@ -234,16 +235,76 @@ class Job(Base):
 
 
 class Study(Base):
-    """A study: its definition is the validated study file."""
+    """A study under its address: a draft that changes, and versions that do not.
+
+    Attributes:
+        state: ``draft`` until first published, then ``open``, ``paused`` or ``closed``.
+        draft: the study file as it is being edited; None where it equals the newest version.
+        running: who may come and when (`app.schemas.study.Running`).
+    """
 
     __tablename__ = "studies"
 
     id: Mapped[int] = mapped_column(primary_key=True)
     slug: Mapped[str] = mapped_column(String(100), unique=True)
     title: Mapped[str] = mapped_column(String(200))
+    state: Mapped[str] = mapped_column(String(20), default="draft", server_default="open")
+    draft: Mapped[dict[str, Any] | None]
+    draft_saved_at: Mapped[datetime | None]
+    running: Mapped[dict[str, Any]] = mapped_column(default=dict, server_default="{}")
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class StudyVersion(Base):
+    """A study as it was published: never changed, and answers belong to it.
+
+    New participants see the newest.
+
+    Attributes:
+        number: 1, 2, … within the study.
+        changes: what it changed against the version before, one sentence each.
+    """
+
+    __tablename__ = "study_versions"
+    __table_args__ = (UniqueConstraint("study_id", "number"),)
+
+    id: Mapped[int] = mapped_column(primary_key=True)
+    study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), index=True)
+    number: Mapped[int]
     definition: Mapped[dict[str, Any]]
     definition_hash: Mapped[str] = mapped_column(String(64))
-    created_at: Mapped[datetime] = mapped_column(default=now)
+    changes: Mapped[list[str]] = mapped_column(default=list)
+    published_by: Mapped[int | None] = mapped_column(ForeignKey("researchers.id"))
+    published_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class StudyMember(Base):
+    """What a researcher may do with a study: ``owner``, ``editor`` or ``viewer``."""
+
+    __tablename__ = "study_members"
+
+    study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), primary_key=True)
+    researcher_id: Mapped[int] = mapped_column(ForeignKey("researchers.id"), primary_key=True)
+    role: Mapped[str] = mapped_column(String(10))
+
+
+class AuditEntry(Base):
+    """Who did what with a study, and when. Rows are only added.
+
+    Attributes:
+        researcher_id: None for what the server or a participant did.
+        session_id: the participant that it was about; no foreign key, for it outlives a deletion.
+    """
+
+    __tablename__ = "audit"
+
+    id: Mapped[int] = mapped_column(primary_key=True)
+    study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), index=True)
+    researcher_id: Mapped[int | None] = mapped_column(ForeignKey("researchers.id"))
+    session_id: Mapped[uuid.UUID | None]
+    act: Mapped[str] = mapped_column(String(40))
+    detail: Mapped[dict[str, Any]] = mapped_column(default=dict)
+    at: Mapped[datetime] = mapped_column(default=now)
 
 
 class StudySession(Base):
@@ -252,36 +313,66 @@ class StudySession(Base):
     A withdrawal leaves this row as a tombstone: state ``withdrawn``, every other datum emptied.
 
     Attributes:
+        kind: ``participant``, ``preview`` or ``simulated``; only participants count.
         token_hash: SHA-256 of the secret in the participant's address.
+        slot: place in the study's design, from which group, rows and subsets follow.
+        group: between-subject group.
         seed: from which the plan was drawn.
         plan: the trials in this participant's order.
-        state: ``active``, ``complete`` or ``withdrawn``.
+        state: ``active``, ``complete``, ``screened_out``, ``failed_attention`` or ``withdrawn``.
+        source: ``open``, ``personal``, ``prolific``, ``sona`` or ``mturk``.
+        external: the recruiting service's parameters, needed to pay; gone with a withdrawal.
+        external_key: hash of the study, the source and the external identity: one session each.
+        excluded: why a researcher left this participant out: {reason, by, at}; None: is counted.
+        flags: suspicions marked by hand, reason to note.
     """
 
     __tablename__ = "sessions"
+    __table_args__ = (Index(None, "version_id", "slot"),)
 
     id: Mapped[uuid.UUID] = mapped_column(primary_key=True, default=uuid.uuid4)
     study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), index=True)
+    version_id: Mapped[int] = mapped_column(  # never null; SQLite adds no other column in place
+        ForeignKey("study_versions.id"), nullable=True
+    )
+    kind: Mapped[str] = mapped_column(
+        String(20), default="participant", server_default="participant"
+    )
     token_hash: Mapped[str] = mapped_column(String(64), unique=True)
+    slot: Mapped[int | None]
+    group: Mapped[str | None] = mapped_column(String(60))
     seed: Mapped[int | None] = mapped_column(BigInteger)
     plan: Mapped[dict[str, Any] | None]
     state: Mapped[str] = mapped_column(String(20), default="active")
+    language: Mapped[str | None] = mapped_column(String(10))
+    source: Mapped[str | None] = mapped_column(String(20))
+    external: Mapped[dict[str, str] | None]
+    external_key: Mapped[str | None] = mapped_column(String(64), unique=True, index=True)
+    excluded: Mapped[dict[str, Any] | None]
+    flags: Mapped[dict[str, Any] | None]
     consent_version: Mapped[str | None] = mapped_column(String(64))
     consented_at: Mapped[datetime | None]
     completed_at: Mapped[datetime | None]
     withdrawn_at: Mapped[datetime | None]
-    completion_code: Mapped[str | None] = mapped_column(String(40))
+    completion_code: Mapped[str | None] = mapped_column(String(64))
     user_agent_class: Mapped[str | None] = mapped_column(String(40))
     created_at: Mapped[datetime] = mapped_column(default=now)
 
     study: Mapped[Study] = relationship()
+    version: Mapped[StudyVersion] = relationship()
 
 
 class Response(Base):
     """One answer. Never updated: a changed answer is a new revision, and the newest counts.
 
     Attributes:
-        answers: scale to value; comment: free text; rt_ms: from the trial's start to the answer.
+        part: the part of the study; trial_type: its kind of trial, or of page.
+        clip_id: the judged clip; None on pages and where several are compared.
+        clips: all clips of the trial as they stood on the page, from the left; None on pages.
+        practice: unannounced practice, not analysed.
+        check: name of the attention check that this trial is; passed: whether it held.
+        answers: what was chosen (`app.schemas.study.tasks`); comment: free text.
+        rt_ms: from the trial's start to the answer.
         record: how the trial was viewed.
         fingerprint: SHA-256 of the request, by which a repeated request is known.
     """
@@ -295,9 +386,14 @@ class Response(Base):
     session_id: Mapped[uuid.UUID] = mapped_column(ForeignKey("sessions.id", ondelete="CASCADE"))
     trial_index: Mapped[int]
     revision: Mapped[int]
-    clip_id: Mapped[str] = mapped_column(ForeignKey("clips.id"), index=True)
+    part: Mapped[str] = mapped_column(String(60))
+    trial_type: Mapped[str] = mapped_column(String(40))
+    clip_id: Mapped[str | None] = mapped_column(ForeignKey("clips.id"), index=True)
+    clips: Mapped[list[str] | None]
     practice: Mapped[bool]
-    answers: Mapped[dict[str, int]]
+    check: Mapped[str | None] = mapped_column(String(60))
+    passed: Mapped[bool | None]
+    answers: Mapped[dict[str, Any]]
     comment: Mapped[str] = mapped_column(Text, default="")
     rt_ms: Mapped[float]
     record: Mapped[dict[str, Any]]
