@@ -14,8 +14,9 @@ from app.persistence.engine import Database
 from app.persistence.models import Researcher
 from app.persistence.writer import Writer
 from app.security import AttemptLimiter, SignInCookies
-from app.services import keys, researchers
+from app.services import keys, researchers, rights
 from app.services.keys import KeyUses
+from app.services.rights import Access
 from app.workers import Workers
 
 # Those that only look something up are async: a plain function would cost a turn in a thread.
@@ -173,6 +174,48 @@ async def key_writer(request: Request, caller: Reader) -> Caller:
 
 
 KeyWriter = Annotated[Caller, Depends(key_writer)]
+
+
+async def study_caller(request: Request, caller: Reader) -> Caller:
+    """Whoever calls about a study. A change needs a key for writing, or comes from our own pages.
+
+    The token against forgery may stand in the header or, of a form, in its field.
+    """
+    if request.method in ("GET", "HEAD"):
+        return caller
+    if caller.by_key:
+        return await key_writer(request, caller)
+    await csrf_checked(request)
+    return caller
+
+
+StudyCaller = Annotated[Caller, Depends(study_caller)]
+
+
+def study_viewer(slug: str, caller: StudyCaller, database: CurrentDatabase) -> Access:
+    """Whoever may see the study of this address."""
+    return _access(slug, caller, database, "view")
+
+
+def study_editor(slug: str, caller: StudyCaller, database: CurrentDatabase) -> Access:
+    """Whoever may change the study of this address."""
+    return _access(slug, caller, database, "edit")
+
+
+def study_owner(slug: str, caller: StudyCaller, database: CurrentDatabase) -> Access:
+    """Whoever owns the study of this address."""
+    return _access(slug, caller, database, "own")
+
+
+# For pages as well as for the API: of a page, who is not signed in is led to the sign-in page.
+StudyViewer = Annotated[Access, Depends(study_viewer)]
+StudyEditor = Annotated[Access, Depends(study_editor)]
+StudyOwner = Annotated[Access, Depends(study_owner)]
+
+
+def _access(slug: str, caller: Caller, database: Database, act: rights.Act) -> Access:
+    with database.reading() as session:
+        return rights.access(session, slug, caller.researcher_id, act)
 
 
 async def maybe_reader(caller: MaybeCaller) -> bool:
