@@ -16,6 +16,7 @@ from app.persistence.models import (
     Response,
     Study,
     StudySession,
+    StudyVersion,
     now,
 )
 
@@ -39,6 +40,20 @@ def listed(db: Session, *, imported: bool) -> list[tuple[ClipRecord, str | None]
 def by_id(db: Session, clip_id: str) -> ClipRecord | None:
     """The clip with this content hash."""
     return db.get(ClipRecord, clip_id)
+
+
+def named(db: Session, references: Iterable[str]) -> list[ClipRecord]:
+    """The clips that have one of these as their id, or are in the library under it as a name."""
+    wanted = list(references)
+    by_name = ClipRecord.name.in_(wanted) & (ClipRecord.state != "retired")
+    query = select(ClipRecord).where(or_(ClipRecord.id.in_(wanted), by_name))
+    return list(db.scalars(query.order_by(ClipRecord.name, ClipRecord.id)))
+
+
+def names(db: Session) -> list[str]:
+    """What the library's clips are called."""
+    query = select(ClipRecord.name).where(ClipRecord.state != "retired").distinct()
+    return list(db.scalars(query.order_by(ClipRecord.name)))
 
 
 def by_source(db: Session, source_hash: str) -> ClipRecord | None:
@@ -128,7 +143,8 @@ def is_in_use(db: Session, clip_id: str) -> bool:
     """Whether a study shows the clip, a participant will see it or somebody has answered it."""
     uses = (
         select(Response.id).where(Response.clip_id == clip_id),
-        select(Study.id).where(cast(Study.definition, Text).contains(clip_id)),
+        select(StudyVersion.id).where(cast(StudyVersion.definition, Text).contains(clip_id)),
+        select(Study.id).where(cast(Study.draft, Text).contains(clip_id)),
         select(StudySession.id).where(cast(StudySession.plan, Text).contains(clip_id)),
     )
     return bool(db.scalar(select(or_(*(query.exists() for query in uses)))))

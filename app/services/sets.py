@@ -29,7 +29,7 @@ FOERGER = {
     ),
 }  # fmt: skip
 FOERGER_SET = "foerger-modified"
-KEPT_TAGS = ("body", "synthetic")  # what is as true of the edited clip as of its source
+KEPT_TAGS = ("body", "synthetic")
 
 Pair = tuple[ClipRecord, str]
 
@@ -87,23 +87,35 @@ def _planned(db: Session, pairs: Sequence[Pair], tags: dict[str, str]) -> Plan:
 def _item(
     source: ClipRecord, preset: Preset, tags: dict[str, str], clip_id: str | None
 ) -> PlannedClip:
+    name, own_tags = name_and_tags(source, preset.name)
     return PlannedClip(
         source=source.id,
         source_name=source.name,
         preset=preset.name,
         preset_title=preset.title,
-        name=f"{source.name[:150]} · {preset.title.lower()}",
-        tags={
-            "set": "modified",
-            **{name: source.tags[name] for name in KEPT_TAGS if name in source.tags},
-            "emotion": preset.emotion,  # the intended one
-            "preset": preset.name,
-            "made": "modified",
-            "from": source.name,
-            **tags,
-        },
+        name=name,
+        tags={**own_tags, **tags},
         clip=clip_id,
     )
+
+
+def name_and_tags(source: ClipRecord, preset_name: str) -> tuple[str, dict[str, str]]:
+    """What a clip that a preset makes is called, and its tags."""
+    preset = _preset(preset_name)
+    tags = {
+        "set": "modified",
+        **kept_tags(source),
+        "emotion": preset.emotion,  # the intended one
+        "preset": preset.name,
+        "made": "modified",
+        "from": source.name,
+    }
+    return f"{source.name[:150]} · {preset.title.lower()}", tags
+
+
+def kept_tags(source: ClipRecord) -> dict[str, str]:
+    """What is as true of an edited clip as of its source."""
+    return {name: source.tags[name] for name in KEPT_TAGS if name in source.tags}
 
 
 def _preset(name: str) -> Preset:

@@ -1,0 +1,280 @@
+"""The clips of a study: a file names them or says how they are made, a version knows their ids."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from app.errors import InvalidError, MannerError
+from app.persistence import clips
+from app.persistence.engine import Database
+from app.persistence.models import ClipRecord
+from app.persistence.writer import Writer
+from app.schemas.edits import ClipRequest, Edit
+from app.schemas.studies_api import Problem
+from app.schemas.study import (
+    Catch,
+    Instructions,
+    Made,
+    Stimulus,
+    StudyDefinition,
+    Trials,
+    Words,
+)
+from app.services import edits, sets
+from app.services.study_text import Path, short
+from app.workers import Workers
+
+Make = Callable[[Sequence[ClipRequest]], None]
+LONGEST_NAME = 64
+
+
+def maker(database: Database, writer: Writer, workers: Workers) -> Make:
+    """Makes clips one after the other, each stored as soon as it is made."""
+
+    def make(requests: Sequence[ClipRequest]) -> None:
+        for request in requests:
+            edits.create(database, writer, workers, request)
+
+    return make
+
+
+def resolve(db: Session, definition: StudyDefinition, make: Make) -> StudyDefinition:
+    """The definition as it is published: every clip by its id, every stimulus named and labelled.
+
+    What is to be made and is in the library already is not made again, so that the same file gives
+    the same definition however often it is resolved.
+
+    Args:
+        db: reads only; `make` writes in transactions of its own.
+        definition: as its author wrote it.
+        make: makes clips; nothing at all if only the outcome shall be known.
+
+    Raises:
+        InvalidError: a clip is not there or cannot be made; where.problems has them all.
+    """
+    library = _Library(db, definition)
+    faults = list(library.problems())
+    if faults:
+        raise InvalidError(
+            faults[0].message,
+            code="study_invalid",
+            where={"problems": [fault.model_dump() for fault in faults]},
+            mend=faults[0].mend,
+        )
+    for request in (one.request for one in library.made.values() if one.clip is None):
+        try:
+            make([request])
+        except MannerError as error:
+            message = f"“{request.name}” cannot be made. {error.message}"
+            raise InvalidError(message, code=error.code, mend=error.mend) from error
+    return _filled(definition, library)
+
+
+def shown(db: Session, definition: StudyDefinition) -> StudyDefinition:
+    """The definition for a preview: what is not made yet is shown as its source.
+
+    Raises:
+        InvalidError: as `resolve`.
+    """
+    text = resolve(db, definition, lambda requests: None).model_dump_json()
+    for clip_id, one in _Library(db, definition).made.items():
+        if one.clip is None:
+            text = text.replace(clip_id, one.request.source)
+    return StudyDefinition.model_validate_json(text)
+
+
+def problems(db: Session, definition: StudyDefinition) -> list[Problem]:
+    """Clips that are not there, and recipes that cannot be read."""
+    return list(_Library(db, definition).problems())
+
+
+@dataclass(frozen=True)
+class _Made:
+    """A clip to be made, and the one that is there already."""
+
+    request: ClipRequest
+    clip: ClipRecord | None
+
+
+class _Library:
+    """The clips that a definition refers to, looked up together."""
+
+    def __init__(self, db: Session, definition: StudyDefinition) -> None:
+        self._db = db
+        self._definition = definition
+        references = {reference for _, reference in _references(definition)}
+        self._found: dict[str, list[ClipRecord]] = {one: [] for one in references}
+        for clip in clips.named(db, references):
+            self._found[clip.id if clip.id in references else clip.name].append(clip)
+        self.made: dict[str, _Made] = {}
+        self._ids: dict[str, str] = {}
+        self._faults: list[Problem] = []
+        for path, stimulus in _stimuli(definition):
+            if stimulus.clip is None and stimulus.made and self._usable(stimulus.made.source):
+                self._plan(path, stimulus, stimulus.made)
+
+    def problems(self) -> Iterator[Problem]:
+        names: list[str] | None = None
+        for path, reference in _references(self._definition):
+            found = self._found[reference]
+            if len(found) == 1 and self._usable(reference):
+                continue
+            if names is None:
+                names = clips.names(self._db)
+            yield _missing(path, reference, found, names)
+        yield from self._faults
+
+    def clip(self, reference: str) -> ClipRecord:
+        return self._found[reference][0]
+
+    def of(self, stimulus: Stimulus) -> tuple[str, str, Mapping[str, str]]:
+        """Id, name and tags of the clip that a stimulus shows."""
+        if stimulus.clip is not None:  # of a version that was made before, whatever the engine now
+            clip = self.clip(stimulus.clip)
+            return clip.id, clip.name, clip.tags
+        made_id = self._ids[_key(stimulus)]
+        made = self.made[made_id]
+        return made_id, made.request.name or "", made.request.tags
+
+    def _usable(self, reference: str) -> bool:
+        found = self._found[reference]
+        return len(found) == 1 and found[0].state != "to_confirm"
+
+    def _plan(self, path: Path, stimulus: Stimulus, made: Made) -> None:
+        source = self.clip(made.source)
+        edit = Edit(source=source.id, preset=made.preset, operations=_steps(made))
+        try:
+            recipe = edits.read_recipe(edit)
+        except MannerError as error:
+            self._faults.append(_recipe_fault(path, error))
+            return
+        made_id = edits.edited_id(source.id, recipe)
+        request = _request(source, stimulus, edit)
+        self.made[made_id] = _Made(request, clips.by_id(self._db, made_id))
+        self._ids[_key(stimulus)] = made_id
+
+
+def _request(source: ClipRecord, stimulus: Stimulus, edit: Edit) -> ClipRequest:
+    """How the clip is made and called: by a preset as in a set, else after the stimulus."""
+    if edit.preset is not None:
+        name, tags = sets.name_and_tags(source, edit.preset)
+    else:
+        recipe = edits.read_recipe(edit)
+        ending = stimulus.name or f"edited {recipe.hash[:6]}"
+        name = f"{source.name[:100]} · {ending}"
+        tags = {"made": "modified", "from": source.name, **sets.kept_tags(source)}
+    return ClipRequest(**edit.model_dump(), name=name, tags=tags)
+
+
+def _steps(made: Made) -> list[Any] | None:
+    return None if made.operations is None else list(made.operations)
+
+
+def _key(stimulus: Stimulus) -> str:
+    return "" if stimulus.made is None else stimulus.made.model_dump_json()
+
+
+def _recipe_fault(path: Path, error: MannerError) -> Problem:
+    place = (error.where or {}).get("path") or [(error.where or {}).get("field", "preset")]
+    return Problem(where=[*path, "made", *place], message=error.message, mend=error.mend)
+
+
+def _missing(
+    path: Path, reference: str, found: Sequence[ClipRecord], names: Sequence[str]
+) -> Problem:
+    told = f"“{short(reference)}”"
+    if len(found) > 1:
+        return Problem(
+            where=list(path),
+            message=f"{len(found)} clips of the library are called {told}.",
+            mend=f"Give the id of the one you mean, such as {found[0].id}.",
+        )
+    if found:
+        return Problem(
+            where=list(path),
+            message=f"The clip {told} waits to be confirmed.",
+            mend="Look through its import report in the library and keep it.",
+        )
+    near = get_close_matches(reference, names, 1, 0.6)
+    mend = f"Did you mean “{short(near[0])}”?" if near else "Look for its name in the library."
+    return Problem(where=list(path), message=f"The library has no clip {told}.", mend=mend)
+
+
+def _references(definition: StudyDefinition) -> Iterator[tuple[Path, str]]:
+    """Every clip that is named, with its place in the file."""
+    if definition.welcome.example is not None:
+        yield ("welcome", "example"), definition.welcome.example
+    for index, part in enumerate(definition.parts):
+        place: Path = ("parts", index)
+        if isinstance(part, Instructions):
+            for number, figure in enumerate(part.figures):
+                yield (*place, "figures", number, "clip"), figure.clip
+        if isinstance(part, Trials) and (reference := getattr(part.task, "reference", None)):
+            yield (*place, "task", "reference"), reference
+    for path, stimulus in _stimuli(definition):
+        if stimulus.clip is not None:
+            yield (*path, "clip"), stimulus.clip
+        elif stimulus.made is not None:
+            yield (*path, "made", "source"), stimulus.made.source
+
+
+def _stimuli(definition: StudyDefinition) -> Iterator[tuple[Path, Stimulus]]:
+    for index, part in enumerate(definition.parts):
+        if not isinstance(part, Trials):
+            continue
+        for number, stimulus in enumerate(part.stimuli):
+            yield ("parts", index, "stimuli", number), stimulus
+        for number, check in enumerate(part.checks):
+            if isinstance(check, Catch):
+                yield ("parts", index, "checks", number, "stimulus"), check.stimulus
+
+
+def _filled(definition: StudyDefinition, library: _Library) -> StudyDefinition:
+    given = definition.model_dump(mode="json")
+    if definition.welcome.example is not None:
+        given["welcome"]["example"] = library.clip(definition.welcome.example).id
+    for part, target in zip(definition.parts, given["parts"], strict=True):
+        if isinstance(part, Instructions):
+            for figure in target["figures"]:
+                figure["clip"] = library.clip(figure["clip"]).id
+        elif isinstance(part, Trials):
+            _fill_trials(part, target, library)
+    return StudyDefinition.model_validate(given)
+
+
+def _fill_trials(part: Trials, target: dict[str, Any], library: _Library) -> None:
+    if reference := target["task"].get("reference"):
+        target["task"]["reference"] = library.clip(reference).id
+    stimuli = [_fill(one, library) for one in part.stimuli]
+    called = {
+        name: filled["name"]
+        for one, filled in zip(part.stimuli, stimuli, strict=True)
+        for name in (filled["name"], one.clip, one.name)
+        if name is not None
+    }
+    target["stimuli"] = stimuli
+    if part.sets is not None:
+        target["sets"] = [[called.get(name, name) for name in one] for one in part.sets]
+    for check, filled_check in zip(part.checks, target["checks"], strict=True):
+        if isinstance(check, Catch):
+            filled_check["stimulus"] = _fill(check.stimulus, library)
+
+
+def _fill(stimulus: Stimulus, library: _Library) -> dict[str, Any]:
+    """The stimulus with its clip's id; what its author left out comes from the clip's tags."""
+    clip_id, name, tags = library.of(stimulus)
+    style = tags.get("style") or tags.get("preset", "").replace("_", " ") or tags.get("emotion")
+    words = (style or name, tags.get("speed"), tags.get("body"), tags.get("made"))
+    filled = stimulus.model_dump(mode="json")
+    label = Words(", ".join(word for word in words if word)).model_dump(mode="json")
+    filled["clip"] = clip_id
+    filled["name"] = filled["name"] or name[:LONGEST_NAME].strip()
+    filled["label"] = filled["label"] or label
+    filled["body"] = filled["body"] or tags.get("body")
+    filled["style"] = filled["style"] or style
+    return filled
