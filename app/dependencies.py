@@ -17,6 +17,7 @@ from app.security import AttemptLimiter, SignInCookies
 from app.services import keys, researchers, rights
 from app.services.keys import KeyUses
 from app.services.rights import Access
+from app.settings import Settings
 from app.workers import Workers
 
 # Those that only look something up are async: a plain function would cost a turn in a thread.
@@ -47,6 +48,12 @@ async def _workers(request: Request) -> Workers:
     return workers
 
 
+async def _signing_key(request: Request) -> str:
+    settings: Settings = request.app.state.settings
+    return settings.signing_key
+
+
+SigningKey = Annotated[str, Depends(_signing_key)]
 CurrentDatabase = Annotated[Database, Depends(_database)]
 CurrentWriter = Annotated[Writer, Depends(_writer)]
 CurrentWorkers = Annotated[Workers, Depends(_workers)]

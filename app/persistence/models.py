@@ -19,6 +19,7 @@ from sqlalchemy import (
     Text,
     TypeDecorator,
     UniqueConstraint,
+    text,
 )
 from sqlalchemy import DateTime as SqlDateTime
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column, relationship
@@ -322,13 +323,26 @@ class StudySession(Base):
         state: ``active``, ``complete``, ``screened_out``, ``failed_attention`` or ``withdrawn``.
         source: ``open``, ``personal``, ``prolific``, ``sona`` or ``mturk``.
         external: the recruiting service's parameters, needed to pay; gone with a withdrawal.
-        external_key: hash of the study, the source and the external identity: one session each.
         excluded: why a researcher left this participant out: {reason, by, at}; None: is counted.
         flags: suspicions marked by hand, reason to note.
     """
 
     __tablename__ = "sessions"
-    __table_args__ = (Index(None, "version_id", "slot"),)
+    __table_args__ = (
+        Index(None, "version_id", "slot"),
+        # All that the live page counts by, so that it reads no row: rows hold long plans.
+        Index(None, "study_id", "kind", "state", "group", "id", "created_at"),
+        Index(
+            "ix_sessions_excluded", "study_id", "id",
+            sqlite_where=text("excluded IS NOT NULL"),
+            postgresql_where=text("excluded IS NOT NULL"),
+        ),
+        Index(
+            "ix_sessions_flagged", "study_id", "id",
+            sqlite_where=text("flags IS NOT NULL"),
+            postgresql_where=text("flags IS NOT NULL"),
+        ),
+    )  # fmt: skip
 
     id: Mapped[uuid.UUID] = mapped_column(primary_key=True, default=uuid.uuid4)
     study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), index=True)
@@ -347,7 +361,6 @@ class StudySession(Base):
     language: Mapped[str | None] = mapped_column(String(10))
     source: Mapped[str | None] = mapped_column(String(20))
     external: Mapped[dict[str, str] | None]
-    external_key: Mapped[str | None] = mapped_column(String(64), unique=True, index=True)
     excluded: Mapped[dict[str, Any] | None]
     flags: Mapped[dict[str, Any] | None]
     consent_version: Mapped[str | None] = mapped_column(String(64))
@@ -399,3 +412,44 @@ class Response(Base):
     record: Mapped[dict[str, Any]]
     fingerprint: Mapped[str] = mapped_column(String(64))
     received_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class SessionSummary(Base):
+    """What the live page needs of one session's answers, computed from them again when more come.
+
+    Judged trials are those about clips, without practice and attention checks.
+
+    Attributes:
+        upto: number of an answer; all answers of the session up to it are in here.
+        answered: of how many of its `steps` there is an answer.
+        last_at: when the last answer came; seconds: from agreeing to then.
+        median_ms: median time of a judged trial, in whole tenths of a second.
+        same_run: the longest row of judged trials that were answered exactly alike.
+        rated, flat: judged trials with three values or more; those of them with all values alike.
+        checks, failed: attention checks answered, and failed.
+        hidden_ms: how long the page was out of sight during trials.
+        seen: the clips that were judged, four hexadecimal digits each: the place of the clip among
+            the version's. So the database can join those of all sessions to one string, and a
+            million answers are counted in a moment.
+    """
+
+    __tablename__ = "session_summaries"
+    __table_args__ = {"sqlite_with_rowid": False}  # noqa: RUF012 -- SQLAlchemy reads it
+
+    session_id: Mapped[uuid.UUID] = mapped_column(
+        ForeignKey("sessions.id", ondelete="CASCADE"), primary_key=True
+    )
+    upto: Mapped[int] = mapped_column(BigInteger, index=True)
+    steps: Mapped[int]
+    answered: Mapped[int]
+    last_at: Mapped[datetime]
+    seconds: Mapped[int]
+    judged: Mapped[int]
+    median_ms: Mapped[int | None]
+    same_run: Mapped[int]
+    rated: Mapped[int]
+    flat: Mapped[int]
+    checks: Mapped[int]
+    failed: Mapped[int]
+    hidden_ms: Mapped[int] = mapped_column(BigInteger)
+    seen: Mapped[str] = mapped_column(Text)

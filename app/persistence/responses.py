@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from datetime import datetime
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
-from sqlalchemy import ColumnElement, Row, and_, bindparam, delete, func, insert, select
+from sqlalchemy import ColumnElement, Row, and_, bindparam, delete, func, insert, null, select
 from sqlalchemy.orm import Session, aliased
 
-from app.persistence.models import Response, Study, StudySession
+from app.persistence.models import (
+    ClipRecord,
+    Response,
+    SessionSummary,
+    Study,
+    StudySession,
+    StudyVersion,
+)
+
+SessionKind = Literal["participant", "simulated"]
 
 
 class Asked(NamedTuple):
@@ -20,6 +29,7 @@ class Asked(NamedTuple):
     state: str
     plan: dict[str, Any] | None
     study_id: int
+    version_id: int
     definition_hash: str
     stored: Stored | None
 
@@ -28,7 +38,7 @@ class Stored(NamedTuple):
     """What is stored of one revision of one answer."""
 
     fingerprint: str
-    answers: dict[str, int]
+    answers: dict[str, Any]
     comment: str
     received_at: datetime
     record: dict[str, Any]
@@ -36,14 +46,21 @@ class Stored(NamedTuple):
 
 # Tables instead of classes, made once: answers come by the hundred in a second, and building
 # statements and objects anew for each would take most of that second.
-_SESSIONS, _RESPONSES, _STUDIES = (model.__table__.c for model in (StudySession, Response, Study))
+_SESSIONS, _RESPONSES, _VERSIONS = (
+    model.__table__.c for model in (StudySession, Response, StudyVersion)
+)
 _ASKED = (
     select(
         _SESSIONS.id, _SESSIONS.state, _SESSIONS.plan, _SESSIONS.study_id,
-        _STUDIES.definition_hash, _RESPONSES.fingerprint, _RESPONSES.answers,
+        _SESSIONS.version_id, _VERSIONS.definition_hash, _RESPONSES.fingerprint,
+        _RESPONSES.answers,
         _RESPONSES.comment, _RESPONSES.received_at, _RESPONSES.record,
     )
-    .join_from(StudySession.__table__, Study.__table__)
+    .join_from(
+        StudySession.__table__,
+        StudyVersion.__table__,
+        _SESSIONS.version_id == _VERSIONS.id,
+    )
     .outerjoin(
         Response.__table__,
         and_(
@@ -66,7 +83,7 @@ def asked(session: Session, token_hash: str, trial_index: int, revision: int) ->
     row = session.connection().execute(_ASKED, sought).one_or_none()
     if row is None:
         return None
-    return Asked(*row[:5], Stored._make(row[5:]) if row.fingerprint else None)
+    return Asked(*row[:6], Stored._make(row[6:]) if row.fingerprint else None)
 
 
 def add(session: Session, **row: Any) -> None:  # noqa: ANN401 -- the columns of Response
@@ -82,6 +99,24 @@ def newest(session: Session, session_id: uuid.UUID) -> dict[int, Response]:
     return {row.trial_index: row for row in rows}
 
 
+def newest_of(session: Session, session_id: uuid.UUID, trial_index: int) -> dict[str, Any] | None:
+    """What was answered to one trial, by its newest revision."""
+    return session.scalar(
+        select(Response.answers)
+        .where(Response.session_id == session_id, Response.trial_index == trial_index)
+        .order_by(Response.revision.desc())
+        .limit(1)
+    )
+
+
+def failed_checks(session: Session, session_id: uuid.UUID) -> int:
+    """How many attention checks of a session did not hold, each counted once."""
+    found = select(func.count(Response.trial_index.distinct())).where(
+        Response.session_id == session_id, Response.passed.is_(False)
+    )
+    return session.scalar(found) or 0
+
+
 def answered(session: Session, session_id: uuid.UUID) -> set[int]:
     """The trials that have an answer."""
     return set(
@@ -93,45 +128,85 @@ def answered(session: Session, session_id: uuid.UUID) -> set[int]:
 
 def delete_all(session: Session, session_id: uuid.UUID) -> None:
     """Delete what a participant answered, by the participant's right."""
-    session.execute(delete(Response).where(Response.session_id == session_id))
+    for what in (Response, SessionSummary):
+        session.execute(delete(what).where(what.session_id == session_id))
 
 
-def count(session: Session, study: Study) -> int:
+def count(session: Session, study: Study, kind: SessionKind = "participant") -> int:
     """All stored rows of a study, earlier revisions and practice included."""
     found = (
         select(func.count())
         .select_from(Response)
         .join(StudySession)
-        .where(StudySession.study_id == study.id)
+        .where(StudySession.study_id == study.id, StudySession.kind == kind)
     )
     return session.scalar(found) or 0
 
 
-def analysed(session: Session, study: Study) -> list[tuple[uuid.UUID, str, dict[str, int]]]:
-    """Session, clip and values of every answer that counts: complete, not practice, newest."""
+class Counted(NamedTuple):
+    """An answer that counts, as far as results need it."""
+
+    session_id: uuid.UUID
+    version_id: int
+    clips: list[str]
+    answers: dict[str, Any]
+
+
+def analysed(
+    session: Session, study: Study, part: str, kind: SessionKind = "participant"
+) -> list[Counted]:
+    """Every answer to a part that counts: complete, not excluded, no practice or check, newest."""
     rows = session.execute(
-        select(Response.session_id, Response.clip_id, Response.answers)
+        select(Response.session_id, StudySession.version_id, Response.clips, Response.answers)
         .join(StudySession)
         .where(
             StudySession.study_id == study.id,
+            StudySession.kind == kind,
             StudySession.state == "complete",
+            StudySession.excluded.is_(null()),
+            Response.part == part,
             Response.practice.is_(False),
+            Response.check.is_(None),
             ~_superseded(),
         )
         .order_by(StudySession.completed_at, StudySession.id, Response.trial_index)
     )
-    return [(session_id, clip, answers) for session_id, clip, answers in rows]
+    return [Counted(*row) for row in rows]
 
 
-def stream(session: Session, study: Study) -> Iterator[Row[Response, StudySession, bool]]:
+def stream(
+    session: Session, study: Study, kind: SessionKind = "participant"
+) -> Iterator[Row[Response, StudySession, bool]]:
     """Every stored answer with its session and whether a newer revision exists, row by row."""
     yield from session.execute(
         select(Response, StudySession, _superseded().label("superseded"))
         .join(StudySession, StudySession.id == Response.session_id)
-        .where(StudySession.study_id == study.id)
+        .where(StudySession.study_id == study.id, StudySession.kind == kind)
         .order_by(StudySession.created_at, StudySession.id, Response.id)
         .execution_options(yield_per=500)
     )
+
+
+def recruited(session: Session, study: Study) -> list[StudySession]:
+    """The participants that a recruiting service sent, in the order in which they came."""
+    found = session.scalars(
+        select(StudySession)
+        .where(
+            StudySession.study_id == study.id,
+            StudySession.kind == "participant",
+            StudySession.external.is_not(null()),
+        )
+        .order_by(StudySession.created_at, StudySession.id)
+    )
+    return list(found)
+
+
+def engines(session: Session, clips: Iterable[str]) -> dict[str, str]:
+    """The version of the engine that made each clip."""
+    rows = session.execute(
+        select(ClipRecord.id, ClipRecord.engine_version).where(ClipRecord.id.in_(set(clips)))
+    )
+    return dict(row._tuple() for row in rows)
 
 
 def _superseded() -> ColumnElement[bool]:

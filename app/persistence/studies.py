@@ -8,7 +8,7 @@ from typing import NamedTuple
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
-from app.persistence.models import ClipRecord, FigureRecord, Study, StudySession
+from app.persistence.models import ClipRecord, FigureRecord, Study, StudySession, StudyVersion
 
 
 class Media(NamedTuple):
@@ -19,14 +19,32 @@ class Media(NamedTuple):
     cyclic: bool
 
 
-def by_slug(session: Session, slug: str) -> Study | None:
-    """The study at this address."""
-    return session.scalar(select(Study).where(Study.slug == slug))
+def by_slug(session: Session, slug: str, *, lock: bool = False) -> Study | None:
+    """The study at this address; locked, one newcomer after the other looks for a free slot."""
+    found = select(Study).where(Study.slug == slug)
+    if lock:  # SQLite has one writer at a time anyway and leaves FOR UPDATE out
+        found = found.with_for_update().execution_options(populate_existing=True)
+    return session.scalar(found)
 
 
 def by_id(session: Session, study_id: int) -> Study:
     """The study that a session belongs to."""
     return session.get_one(Study, study_id)
+
+
+def newest_version(session: Session, study: Study) -> StudyVersion | None:
+    """The version that new participants see."""
+    return session.scalar(
+        select(StudyVersion)
+        .where(StudyVersion.study_id == study.id)
+        .order_by(StudyVersion.number.desc())
+        .limit(1)
+    )
+
+
+def version_by_id(session: Session, version_id: int) -> StudyVersion:
+    """The version that a session belongs to."""
+    return session.get_one(StudyVersion, version_id)
 
 
 def all_studies(session: Session) -> list[Study]:
@@ -41,11 +59,11 @@ def has_sessions(session: Session, study: Study) -> bool:
 
 
 def state_counts(session: Session) -> dict[tuple[int, str], int]:
-    """How many sessions each study has in each state."""
+    """How many participants each study has in each state."""
     rows = session.execute(
-        select(StudySession.study_id, StudySession.state, func.count()).group_by(
-            StudySession.study_id, StudySession.state
-        )
+        select(StudySession.study_id, StudySession.state, func.count())
+        .where(StudySession.kind == "participant")
+        .group_by(StudySession.study_id, StudySession.state)
     )
     return {(study, state): count for study, state, count in rows}
 

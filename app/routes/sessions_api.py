@@ -11,7 +11,7 @@ from fastapi import APIRouter, Response
 from app.dependencies import CurrentWriter, Reading
 from app.schemas.errors import ErrorResponse
 from app.schemas.sessions import Answer, AnswerReceipt, Completion, SessionView
-from app.services import answers, sessions
+from app.services import answers, session_views, sessions
 
 router = APIRouter(prefix="/api/v1/sessions/{token}", tags=["sessions"])
 
@@ -26,8 +26,8 @@ CONFLICT: Documented = {
 
 @router.get("", responses={**NOT_FOUND})
 def show_session(token: str, db: Reading) -> SessionView:
-    """The study, this participant's trials in order, the answers so far and where to go on."""
-    return sessions.view(db, token)
+    """The study, this participant's steps in order, the answers so far and where to go on."""
+    return session_views.view(db, token)
 
 
 @router.post(
@@ -51,5 +51,5 @@ async def record_response(
 
 @router.post("/complete", responses={**NOT_FOUND, **CONFLICT})
 async def complete(token: str, writer: CurrentWriter) -> Completion:
-    """Close the session once every clip has an answer, and give the completion code."""
+    """Close the session once every step has an answer, and give the completion code."""
     return await wrap_future(writer.submit(partial(sessions.complete, token=token)))

@@ -1,11 +1,15 @@
 """What a participant's page and the server tell each other."""
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import AwareDatetime, BaseModel, BeforeValidator, ConfigDict, Field
 
-SessionState = Literal["active", "complete", "withdrawn"]
+SessionState = Literal["active", "complete", "screened_out", "failed_attention", "withdrawn"]
+StepKind = Literal[
+    "semantic_differential", "unipolar", "likert", "analogue", "choose", "ab", "abx", "parallel",
+    "ranking", "free_text", "form", "instructions", "break", "comment", "debriefing",
+]  # fmt: skip
 Milliseconds = Annotated[float, Field(ge=0, le=1e10, allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=0, le=10**9)]
 
@@ -23,53 +27,74 @@ class Message(BaseModel):
     model_config = ConfigDict(extra="forbid")
 
 
-class ScaleView(Message):
-    """A bipolar axis as it is asked."""
+class LanguageView(Message):
+    """A language that the study can be taken in, in its own words."""
 
     id: str
-    left: str
-    right: str
+    name: str
 
 
 class StudyView(Message):
-    """What a participant's page shows of the study."""
+    """What a participant's page shows of the study as a whole."""
 
     title: str
-    question: str
-    hint: str
-    scales: list[ScaleView]
-    steps: list[str]
-    comment_label: str
-    comment_placeholder: str
+    language: str
+    languages: list[LanguageView]
+    back: bool
+    preview: bool = False
 
 
-class TrialView(Message):
-    """One clip to judge. Addresses are content hashes: they do not give the clip's name away."""
+class FigureView(Message):
+    """A moving figure. Addresses are content hashes: they do not give the clip's name away."""
 
-    index: int
     glb_url: str
     figure_url: str | None
     cyclic: bool
+    caption: str | None = None
+
+
+class StepView(Message):
+    """One step of the way: a trial about figures, or a page.
+
+    Attributes:
+        part: the part of the study that it belongs to.
+        figures: those to be judged, as they stand on the page; in `abx` the third is X.
+        reference: the figure to compare with, in red.
+        instruction: what an attention check says to answer.
+        scales: the ids of the scales in the order in which they stand; null: as in the part.
+    """
+
+    index: int
+    part: str
+    kind: StepKind
+    figures: list[FigureView]
+    reference: FigureView | None = None
+    instruction: str | None = None
+    scales: list[str] | None = None
 
 
 class ResponseView(Message):
-    """The newest stored answer of a trial."""
+    """The newest stored answer of a step."""
 
     revision: int
-    answers: dict[str, int]
+    answers: dict[str, Any]
     touched: list[str]
     comment: str
 
 
 class SessionView(Message):
-    """A session as its page needs it; `next` is the first trial without an answer, or their number.
+    """A session as its page needs it; `next` is the first step without an answer, or their number.
 
-    The trials of a withdrawn session are gone with its answers.
+    The steps of a withdrawn session are gone with its answers.
+
+    Attributes:
+        parts: part to what it asks or says: a trial's task, or a page, texts in one language.
     """
 
     study: StudyView
     state: SessionState
-    trials: list[TrialView]
+    parts: dict[str, dict[str, Any]]
+    steps: list[StepView]
     responses: dict[int, ResponseView]
     next: int
 
@@ -83,7 +108,11 @@ class Viewport(Message):
 
 
 class ViewingRecord(Message):
-    """How the clip was watched. Times in ms; what a browser cannot tell is left out."""
+    """How the figures were watched. Times in ms; what a browser cannot tell is left out.
+
+    Attributes:
+        start: sliders that showed a position before they were touched, and which.
+    """
 
     plays: Count | None = None
     viewing_ms: Milliseconds | None = None
@@ -93,24 +122,35 @@ class ViewingRecord(Message):
     dropped_frames: Count | None = None
     tier: Annotated[str, Field(max_length=40), BeforeValidator(storable)] | None = None
     viewport: Viewport | None = None
+    start: Annotated[dict[str, float], Field(max_length=200)] | None = None
+
+
+ShortText = Annotated[str, Field(max_length=5000), BeforeValidator(storable)]
+Value = (
+    Annotated[int, Field(ge=-(10**9), le=10**9, strict=True)]
+    | Annotated[float, Field(ge=-1e12, le=1e12, allow_inf_nan=False)]
+    | ShortText
+    | Annotated[list[ShortText], Field(max_length=100)]
+)
 
 
 class Answer(Message):
-    """One judged clip, as the page sends it.
+    """The answer to one step, as the page sends it; a page without a question sends none.
 
     Attributes:
         revision: 1 for the first answer, one more for each change after going back.
-        answers: scale id to step, 0 in the middle.
-        touched: the scales that were set by hand; the others kept the preselected middle.
+        answers: what was chosen; `app.schemas.study.tasks` says what for each kind of trial. A form
+            sends each field's text, number, option or list of options.
+        touched: what was set by hand; the others kept what was preselected.
         rt_ms: from the trial's start to the answer; time_elapsed_ms: from the session page's.
         client_time: the browser's clock.
     """
 
     trial_index: Annotated[int, Field(ge=0, le=100_000)]
     revision: Annotated[int, Field(ge=1, le=100_000)]
-    answers: Annotated[dict[str, int], Field(max_length=200)]
-    touched: Annotated[list[str], Field(max_length=200)]
-    comment: Annotated[str, Field(max_length=5000), BeforeValidator(storable)] = ""
+    answers: Annotated[dict[Annotated[str, Field(max_length=64)], Value], Field(max_length=1000)]
+    touched: Annotated[list[Annotated[str, Field(max_length=64)]], Field(max_length=1000)]
+    comment: ShortText = ""
     rt_ms: Milliseconds
     time_elapsed_ms: Milliseconds
     client_time: AwareDatetime
@@ -118,11 +158,16 @@ class Answer(Message):
 
 
 class AnswerReceipt(Message):
-    """The answer is durably stored."""
+    """The answer is durably stored.
+
+    Attributes:
+        state: no longer `active` where the answer has ended the study: the page goes to its thanks.
+    """
 
     trial_index: int
     revision: int
     received_at: datetime
+    state: SessionState = "active"
 
 
 class Completion(Message):

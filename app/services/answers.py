@@ -10,13 +10,15 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError
-from app.persistence import responses
+from app.persistence import responses, sessions, studies
 from app.persistence.models import now
 from app.persistence.responses import Asked, Stored
-from app.schemas.sessions import Answer, AnswerReceipt
-from app.schemas.study import StudyDefinition
-from app.services.sessions import hash_token, planned_trials, refuse_withdrawn, unknown_link
-from app.services.studies import definition_by_hash
+from app.schemas.sessions import Answer, AnswerReceipt, SessionState
+from app.schemas.study import AnyPart, Outcome, Trials
+from app.services.answer_checks import faults_of, held, screens_out
+from app.services.plans import PAUSE, Step, planned_steps
+from app.services.sessions import hash_token, refuse_withdrawn, unknown_link
+from app.services.studies import definition_by_hash, running_of
 
 
 def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool]:
@@ -38,23 +40,28 @@ def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool
     if asked.stored is not None:
         if asked.stored.fingerprint != fingerprint:
             raise _already_answered(answer, asked.stored)
-        return _receipt(answer, asked.stored.received_at), False
-    if asked.state == "complete":
-        raise ConflictError(
-            "The study is complete; its answers can no longer be changed.",
-            code="session_complete",
-            mend="Nothing more to do: all that you answered before is stored.",
-        )
-    check_answer(answer, definition_by_hash(db, asked.study_id, asked.definition_hash))
-    trial = _trial(asked, answer.trial_index)
+        state = "active" if asked.state == "complete" else asked.state
+        return _receipt(answer, asked.stored.received_at, state), False
+    if asked.state != "active":
+        raise _ended(asked.state)
+    definition = definition_by_hash(db, asked.version_id, asked.definition_hash)
+    step = _step(asked, answer.trial_index)
+    part = None if step["part"] == PAUSE.id else definition.part(step["part"])
+    check_answer(answer, part, step)
+    passed = _passed(db, asked, part, step, answer)
     received_at = now()
     responses.add(
         db,
         session_id=asked.session_id,
         trial_index=answer.trial_index,
         revision=answer.revision,
-        clip_id=trial["clip"],
-        practice=trial["practice"],
+        part=step["part"],
+        trial_type=_kind(part),
+        clip_id=step["clips"][0] if len(step.get("clips", ())) == 1 else None,
+        clips=step.get("clips"),
+        practice=step.get("practice", False),
+        check=step.get("check"),
+        passed=passed,
         answers=answer.answers,
         comment=answer.comment,
         rt_ms=answer.rt_ms,
@@ -62,7 +69,46 @@ def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool
         fingerprint=fingerprint,
         received_at=received_at,
     )
-    return _receipt(answer, received_at), True
+    return _receipt(answer, received_at, _state_after(db, asked, part, answer, passed)), True
+
+
+def _passed(
+    db: Session, asked: Asked, part: AnyPart | None, step: Step, answer: Answer
+) -> bool | None:
+    """Whether the attention check held that this step is; None where it is none."""
+    if "check" not in step or not isinstance(part, Trials):
+        return None
+    check = next(one for one in part.checks if one.id == step["check"])
+    earlier = responses.newest_of(db, asked.session_id, step["of"]) if "of" in step else None
+    return held(check, answer.answers, earlier)
+
+
+def _state_after(
+    db: Session, asked: Asked, part: AnyPart | None, answer: Answer, passed: bool | None
+) -> SessionState:
+    """Whether the answer ends the study for this person; if so, it is ended."""
+    outcome: Outcome | None = None
+    if screens_out(part, answer.answers):
+        outcome = "screened_out"
+    elif passed is False and _too_many_failed(db, asked):
+        outcome = "failed_attention"
+    if outcome is None:
+        return "active"
+    sessions.end_early(db, asked.session_id, outcome)
+    return outcome
+
+
+def _too_many_failed(db: Session, asked: Asked) -> bool:
+    running = running_of(studies.by_id(db, asked.study_id))
+    return running.fail_after is not None and (
+        responses.failed_checks(db, asked.session_id) >= running.fail_after
+    )
+
+
+def _kind(part: AnyPart | None) -> str:
+    if part is None:
+        return PAUSE.kind
+    return part.task.kind if isinstance(part, Trials) else part.kind
 
 
 def fingerprint_of(answer: Answer) -> str:
@@ -75,19 +121,13 @@ def fingerprint_of(answer: Answer) -> str:
     return sha256(dumps(chosen, sort_keys=True).encode()).hexdigest()
 
 
-def check_answer(answer: Answer, definition: StudyDefinition) -> None:
-    """Raise InvalidError unless every scale of the study has one of its steps, and no other has."""
-    scales = {scale.id for scale in definition.scales}
-    given = set(answer.answers)
-    faults = [f"“{scale}” is not answered" for scale in sorted(scales - given)]
-    faults += [f"“{scale}” is no scale of this study" for scale in sorted(given - scales)]
+def check_answer(answer: Answer, part: AnyPart | None, step: Step) -> None:
+    """Raise InvalidError unless the answer fits what this step asks."""
+    figures = 2 if "x" in step else len(step.get("clips", ()))
+    faults = faults_of(part, answer.answers, figures)
     faults += [
-        f"“{scale}” is {value}, not within {-definition.reach} … {definition.reach}"
-        for scale, value in answer.answers.items()
-        if abs(value) > definition.reach
-    ]
-    faults += [
-        f"“{scale}” was touched but is no scale" for scale in sorted(set(answer.touched) - scales)
+        f"“{name[:60]}” was touched but is not asked here"
+        for name in sorted(set(answer.touched) - set(answer.answers))
     ]
     if faults:
         raise InvalidError(
@@ -98,16 +138,30 @@ def check_answer(answer: Answer, definition: StudyDefinition) -> None:
         )
 
 
-def _trial(asked: Asked, index: int) -> dict[str, Any]:
-    trials = planned_trials(asked.plan)
-    if index >= len(trials):
+def _step(asked: Asked, index: int) -> Step:
+    steps = planned_steps(asked.plan)
+    if index >= len(steps):
         raise InvalidError(
-            f"There is no clip {index}: the session has {len(trials)}, counted from 0.",
+            f"There is no step {index}: the session has {len(steps)}, counted from 0.",
             code="trial_unknown",
             where={"trial_index": index},
             mend="Reload the page.",
         )
-    return trials[index]
+    return steps[index]
+
+
+def _ended(state: str) -> ConflictError:
+    if state == "complete":
+        return ConflictError(
+            "The study is complete; its answers can no longer be changed.",
+            code="session_complete",
+            mend="Nothing more to do: all that you answered before is stored.",
+        )
+    return ConflictError(
+        "The study has ended for you.",
+        code="session_ended",
+        mend="Nothing more to do: load the page again to see why.",
+    )
 
 
 def _record(answer: Answer) -> dict[str, Any]:
@@ -119,10 +173,13 @@ def _record(answer: Answer) -> dict[str, Any]:
     }
 
 
-def _receipt(answer: Answer, received_at: datetime) -> AnswerReceipt:
-    return AnswerReceipt(
-        trial_index=answer.trial_index, revision=answer.revision, received_at=received_at
-    )
+def _receipt(answer: Answer, received_at: datetime, state: str) -> AnswerReceipt:
+    return AnswerReceipt.model_validate(
+        {
+            "trial_index": answer.trial_index, "revision": answer.revision,
+            "received_at": received_at, "state": state,
+        }
+    )  # fmt: skip
 
 
 def _already_answered(answer: Answer, stored: Stored) -> ConflictError:

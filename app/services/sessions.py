@@ -6,27 +6,33 @@ Functions that change something take the writer's database session and leave the
 from __future__ import annotations
 
 import secrets
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from datetime import timedelta
 from hashlib import sha256
-from typing import Any
+from typing import cast, get_args
 
-import numpy as np
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError, NotFoundError
-from app.persistence import responses, studies
+from app.persistence import responses
 from app.persistence import sessions as store
 from app.persistence.models import StudySession, now
-from app.schemas.sessions import (
-    Completion,
-    ResponseView,
-    ScaleView,
-    SessionView,
-    StudyView,
-    TrialView,
+from app.schemas.sessions import Completion
+from app.schemas.study import Language, Outcome, StudyDefinition
+from app.services.admission import Closed, closed_for
+from app.services.allocation import take_slot
+from app.services.plans import draw_plan, group_of, planned_steps
+from app.services.recruiting import Arrival, Return, Source, given_back
+from app.services.studies import (
+    ExampleClip,
+    definition_of,
+    find,
+    language_for,
+    localised,
+    newest,
+    running_of,
+    thanks_clip,
 )
-from app.schemas.study import StudyDefinition
-from app.services.studies import ExampleClip, definition_of, find, media_url, thanks_clip
 
 # Crockford's base 32: no I, L, O, U, so a code can be read out and typed.
 CODE_LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
@@ -35,121 +41,124 @@ SEED_BITS = 48
 
 
 @dataclass(frozen=True)
+class Beginning:
+    """How somebody begins.
+
+    Attributes:
+        consent_version: of the text that was agreed to.
+        languages: those that the person wants, the best first.
+        coming: who comes, from where.
+        token: the secret of the personal link, where the identity gives it; None: a new one.
+        kind: ``participant``, ``preview`` or ``simulated``.
+        seed: from which the order is drawn; None: a new one.
+    """
+
+    consent_version: str
+    user_agent: str = ""
+    languages: tuple[str | None, ...] = ()
+    coming: Arrival = field(default_factory=Arrival)
+    token: str | None = None
+    kind: str = "participant"
+    seed: int | None = None
+
+
+@dataclass(frozen=True)
 class Standing:
     """Where a personal link stands; there is a completion code only once the session is complete.
 
-    `answers` counts the clips that have an answer.
+    Attributes:
+        study: its texts in the session's language.
+        answers: how many trials about clips have an answer.
+        going: where to go afterwards, once the session has ended.
     """
 
     study: StudyDefinition
+    language: Language
     state: str
     answers: int
     completion_code: str | None
+    going: Return | None
     clip: ExampleClip | None
 
 
-def begin(db: Session, slug: str, consent_version: str, user_agent: str = "") -> str:
+def begin(db: Session, slug: str, beginning: Beginning) -> str:
     """Start a session for someone who agreed, and return the secret of the personal link.
+
+    Whoever has begun already, by an identity that the link carries, goes on with the same session.
 
     Raises:
         NotFoundError: no such study.
         InvalidError: agreed to another version of the consent than the present one.
+        ConflictError: the study takes nobody now (`study_closed`, `study_full`).
     """
-    study = find(db, slug)
-    definition = definition_of(study)
-    if consent_version != definition.consent.version:
+    study = find(db, slug, lock=True)
+    if beginning.token and store.by_token_hash(db, hash_token(beginning.token)):
+        return beginning.token
+    version = newest(db, study)
+    definition = definition_of(version)
+    if beginning.consent_version != definition.consent.version:
         raise InvalidError(
             "The text that you agreed to has changed since you opened the page.",
             code="consent_changed",
             mend="Please read the new text and agree again.",
         )
-    token, seed = secrets.token_urlsafe(24), secrets.randbits(SEED_BITS)
+    moment = now()
+    if beginning.kind == "participant":
+        _refuse_closed(closed_for(db, study, running_of(study), beginning.coming, moment))
+    slot = take_slot(db, study, version, beginning.kind, moment)
+    token = beginning.token or secrets.token_urlsafe(24)
+    seed = secrets.randbits(SEED_BITS) if beginning.seed is None else beginning.seed
     db.add(
         StudySession(
             study=study,
+            version=version,
+            kind=beginning.kind,
             token_hash=hash_token(token),
+            slot=slot,
+            group=group_of(definition, slot),
             seed=seed,
-            plan=draw_plan(definition, seed),
+            plan=draw_plan(definition, seed, slot, version.definition_hash),
             state="active",
-            consent_version=consent_version,
-            consented_at=now(),
-            user_agent_class=device_class(user_agent),
+            language=language_for(definition, *beginning.languages),
+            source=beginning.coming.source,
+            external=beginning.coming.parameters,
+            consent_version=beginning.consent_version,
+            consented_at=moment,
+            user_agent_class=device_class(beginning.user_agent),
         )
     )
     db.flush()
     return token
 
 
-def draw_plan(definition: StudyDefinition, seed: int) -> dict[str, Any]:
-    """The trials in one participant's order: practice clips first, then every clip once.
-
-    The order is that of the raw 64-bit draws of PCG64: NumPy promises these to stay the same
-    for a seed, on every platform and in every version, which it does not for its shuffles.
-    """
-    draws = np.random.Generator(np.random.PCG64(seed)).bit_generator
-    clips = [stimulus.clip for stimulus in definition.stimuli]
-    practice = np.argsort(draws.random_raw(len(clips)), kind="stable")[: definition.practice]
-    order = np.argsort(draws.random_raw(len(clips)), kind="stable")
-    trials = [{"clip": clips[index], "practice": True} for index in practice]
-    trials += [{"clip": clips[index], "practice": False} for index in order]
-    return {"trials": trials}
-
-
-def view(db: Session, token: str) -> SessionView:
-    """All that the participant's page needs to go on where it stopped."""
-    session = open_session(db, token)
-    definition = definition_of(session.study)
-    trials = planned_trials(session.plan)
-    media = studies.media(db, (trial["clip"] for trial in trials))
-    newest = responses.newest(db, session.id)
-    return SessionView(
-        study=_study_view(definition),
-        state=session.state,
-        trials=[
-            TrialView(
-                index=index,
-                glb_url=media_url(clip.glb),
-                figure_url=clip.figure and media_url(clip.figure),
-                cyclic=clip.cyclic,
-            )
-            for index, clip in enumerate(media[trial["clip"]] for trial in trials)
-        ],
-        responses={
-            index: ResponseView(
-                revision=row.revision,
-                answers=row.answers,
-                touched=row.record["touched"],
-                comment=row.comment,
-            )
-            for index, row in sorted(newest.items())
-        },
-        next=next((i for i in range(len(trials)) if i not in newest), len(trials)),
-    )
+def known(db: Session, token: str | None) -> bool:
+    """Whether somebody has begun with this secret already."""
+    return token is not None and store.by_token_hash(db, hash_token(token)) is not None
 
 
 def complete(db: Session, token: str) -> Completion:
-    """Close a session that has an answer for every trial; the same code however often asked.
+    """Close a session that has an answer for every step; the same code however often asked.
 
     Raises:
-        ConflictError: answers are missing, or the session was withdrawn.
+        ConflictError: answers are missing, or the session has ended otherwise.
     """
     session = open_session(db, token, lock=True)
     refuse_withdrawn(session.state)
-    trials = len(planned_trials(session.plan))
+    steps = planned_steps(session.plan)
     if session.completion_code is None:
-        missing = sorted(set(range(trials)) - responses.answered(db, session.id))
+        missing = sorted(set(range(len(steps))) - responses.answered(db, session.id))
         if missing:
             raise ConflictError(
-                f"{len(missing)} of {trials} clips have no answer yet.",
+                f"{len(missing)} of {len(steps)} steps have no answer yet.",
                 code="answers_missing",
                 where={"missing": missing},
-                mend="Answer the missing clips; what you have answered is kept.",
+                mend="Answer what is missing; what you have answered is kept.",
             )
         session.state = "complete"
         session.completed_at = now()
         session.completion_code = _completion_code()
         db.flush()
-    return Completion(completion_code=session.completion_code, answers=trials)
+    return Completion(completion_code=session.completion_code, answers=len(steps))
 
 
 def withdraw(db: Session, token: str) -> None:
@@ -157,11 +166,17 @@ def withdraw(db: Session, token: str) -> None:
 
     A tombstone stays: that somebody withdrew. Withdrawing again changes nothing.
     """
-    session = open_session(db, token, lock=True)
+    erase(db, open_session(db, token, lock=True))
+
+
+def erase(db: Session, session: StudySession) -> None:
+    """The same for a session at hand."""
     responses.delete_all(db, session.id)
     session.state = "withdrawn"
     session.withdrawn_at = session.created_at = session.withdrawn_at or now()
     session.seed = session.plan = session.completion_code = None
+    session.slot = session.group = session.language = None
+    session.source = session.external = session.excluded = session.flags = None
     session.consent_version = session.consented_at = session.completed_at = None
     session.user_agent_class = None
     db.flush()
@@ -170,26 +185,59 @@ def withdraw(db: Session, token: str) -> None:
 def standing(db: Session, token: str) -> Standing:
     """Where a personal link stands."""
     session = open_session(db, token)
-    definition = definition_of(session.study)
+    definition = definition_of(session.version)
+    language = language_for(definition, session.language)
+    answered = responses.answered(db, session.id)
+    steps = planned_steps(session.plan)
     return Standing(
-        study=definition,
+        study=localised(session.version, language),
+        language=language,
         state=session.state,
-        answers=len(responses.answered(db, session.id)),
+        answers=sum("clips" in step for i, step in enumerate(steps) if i in answered),
         completion_code=session.completion_code,
+        going=_going(session),
         clip=thanks_clip(db, definition),
     )
 
 
+def _going(session: StudySession) -> Return | None:
+    if session.state not in get_args(Outcome):
+        return None
+    return given_back(
+        running_of(session.study),
+        cast("Source", session.source or "open"),
+        cast("Outcome", session.state),
+        session.external or {},
+        session.completion_code or "",
+    )
+
+
 def open_session(db: Session, token: str, *, lock: bool = False) -> StudySession:
-    """The session of a personal link.
+    """The session behind a personal link.
+
+    Args:
+        db: where to look.
+        token: the secret of the link.
+        lock: keep other server processes from changing it until the commit.
 
     Raises:
-        NotFoundError: the link is none of ours.
+        NotFoundError: there is none.
     """
     session = store.by_token_hash(db, hash_token(token), lock=lock)
     if session is None:
         raise unknown_link()
     return session
+
+
+def refuse_late(session: StudySession) -> None:
+    """Raise ConflictError for a session that was begun too long ago to be gone on with."""
+    days = running_of(session.study).resume_days
+    if session.state == "active" and now() - session.created_at > timedelta(days=days):
+        raise ConflictError(
+            f"This link was good for {days} days, and they are over.",
+            code="session_expired",
+            mend="What you answered is kept. Write to the researchers if you want to go on.",
+        )
 
 
 def unknown_link() -> NotFoundError:
@@ -211,12 +259,6 @@ def refuse_withdrawn(state: str) -> None:
         )
 
 
-def planned_trials(plan: dict[str, Any] | None) -> list[dict[str, Any]]:
-    """The trials of a session's plan in order; none after a withdrawal."""
-    trials: list[dict[str, Any]] = (plan or {"trials": []})["trials"]
-    return trials
-
-
 def hash_token(token: str) -> str:
     """What is stored of a personal link: enough to know it again, not to make it."""
     return sha256(token.encode("utf-8", "replace")).hexdigest()
@@ -230,18 +272,16 @@ def device_class(user_agent: str) -> str:
     return "phone" if "mobi" in agent else "desktop"
 
 
+def _refuse_closed(reason: Closed | None) -> None:
+    if reason is not None:
+        raise ConflictError(
+            "This study takes no new participants now.",
+            code="study_full" if reason == "full" else "study_closed",
+            where={"reason": reason},
+            mend="Nothing was kept. If you had begun already, your own link still works.",
+        )
+
+
 def _completion_code() -> str:
     letters = "".join(secrets.choice(CODE_LETTERS) for _ in range(8))
     return f"MNR-{letters[:4]}-{letters[4:]}"
-
-
-def _study_view(definition: StudyDefinition) -> StudyView:
-    return StudyView(
-        title=definition.welcome.heading,
-        question=definition.question,
-        hint=definition.hint,
-        scales=[ScaleView(id=s.id, left=s.left, right=s.right) for s in definition.scales],
-        steps=list(definition.steps),
-        comment_label=definition.comment.label,
-        comment_placeholder=definition.comment.placeholder,
-    )

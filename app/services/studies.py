@@ -1,15 +1,18 @@
-"""Studies: finding them, showing them, and the demonstration that comes with the server."""
+"""Studies: finding them, their versions, the welcome, and the demonstration."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from datetime import datetime
 
 from sqlalchemy.orm import Session
 
 from app.errors import NotFoundError
 from app.persistence import studies as store
-from app.persistence.models import ClipRecord, Study
-from app.schemas.study import Stimulus, StudyDefinition
+from app.persistence.models import ClipRecord, Study, StudyVersion, now
+from app.schemas.study import LANGUAGES, Language, Running, Stimulus, StudyDefinition
+from app.services.admission import Closed, closed_for
+from app.services.recruiting import Arrival
 from app.studies import emotion
 
 
@@ -24,10 +27,18 @@ class ExampleClip:
 
 @dataclass(frozen=True)
 class WelcomePage:
-    """What a person reads before taking part."""
+    """What a person reads before taking part, in one language.
+
+    Attributes:
+        closed: why nobody can begin now; None where one can.
+        opens_at: when it opens, where it is not open yet.
+    """
 
     study: StudyDefinition
+    language: Language
     clip: ExampleClip | None
+    closed: Closed | None = None
+    opens_at: datetime | None = None
 
 
 @dataclass(frozen=True)
@@ -36,47 +47,105 @@ class StudyLine:
 
     slug: str
     title: str
+    state: str
     complete: int
     active: int
     withdrawn: int
 
 
-def find(db: Session, slug: str) -> Study:
+def find(db: Session, slug: str, *, lock: bool = False) -> Study:
     """The study at this address.
 
     Raises:
         NotFoundError: there is none.
     """
-    study = store.by_slug(db, slug)
+    study = store.by_slug(db, slug, lock=lock)
     if study is None:
-        raise NotFoundError(
-            f"There is no study “{slug[:100]}” on this server.",
-            code="study_not_found",
-            mend="Check the link that you were given.",
-        )
+        raise _unknown(slug)
     return study
 
 
-def definition_of(study: Study) -> StudyDefinition:
-    """The study's validated definition."""
-    return StudyDefinition.model_validate(study.definition)
+def newest(db: Session, study: Study) -> StudyVersion:
+    """The version that new participants see.
+
+    Raises:
+        NotFoundError: none was published yet.
+    """
+    version = store.newest_version(db, study)
+    if version is None:
+        raise NotFoundError(
+            f"“{study.title}” is not published yet.",
+            code="study_not_published",
+            mend="Publish it first; until then only its preview can be seen.",
+        )
+    return version
 
 
-def definition_by_hash(db: Session, study_id: int, definition_hash: str) -> StudyDefinition:
-    """The same, read once: what has the same hash is the same definition."""
-    known = _DEFINITIONS.get(definition_hash)
+def definition_of(version: StudyVersion) -> StudyDefinition:
+    """The version's validated definition, read once: what is published never changes."""
+    known = _DEFINITIONS.get(version.definition_hash)
     if known is None:
-        known = _DEFINITIONS[definition_hash] = definition_of(store.by_id(db, study_id))
+        known = StudyDefinition.model_validate(version.definition)
+        _DEFINITIONS[version.definition_hash] = known
     return known
 
 
+def definition_by_hash(db: Session, version_id: int, definition_hash: str) -> StudyDefinition:
+    """The same, without a look at the database once it is known."""
+    known = _DEFINITIONS.get(definition_hash)
+    return known or definition_of(store.version_by_id(db, version_id))
+
+
+def localised(version: StudyVersion, language: Language) -> StudyDefinition:
+    """The version's definition with all texts in one language."""
+    key = version.definition_hash, language
+    if key not in _LOCALISED:
+        _LOCALISED[key] = definition_of(version).into(language)
+    return _LOCALISED[key]
+
+
 _DEFINITIONS: dict[str, StudyDefinition] = {}
+_LOCALISED: dict[tuple[str, Language], StudyDefinition] = {}
 
 
-def welcome(db: Session, slug: str) -> WelcomePage:
-    """What the welcome page of a study shows."""
-    definition = definition_of(find(db, slug))
-    return WelcomePage(definition, example_clip(db, definition))
+def language_for(definition: StudyDefinition, *wanted: str | None) -> Language:
+    """The first wanted language that the study has, else its own first one."""
+    for one in wanted:
+        for language in LANGUAGES:
+            if one and one.lower().split("-")[0] == language and language in definition.languages:
+                return language
+    return definition.languages[0]
+
+
+def running_of(study: Study) -> Running:
+    """The study's settings."""
+    return Running.model_validate(study.running)
+
+
+def welcome(
+    db: Session, slug: str, coming: Arrival | None = None, languages: tuple[str | None, ...] = ()
+) -> WelcomePage:
+    """What the welcome page of a study shows.
+
+    Args:
+        db: where to read.
+        slug: which study.
+        coming: who comes, from where; None for the open link.
+        languages: those that the person wants, the best first.
+    """
+    study = find(db, slug)
+    version = store.newest_version(db, study)
+    if version is None:
+        raise _unknown(slug)
+    definition, running = definition_of(version), running_of(study)
+    language = language_for(definition, *languages)
+    return WelcomePage(
+        localised(version, language),
+        language,
+        example_clip(db, definition),
+        closed_for(db, study, running, coming or Arrival(), now()),
+        running.opens_at,
+    )
 
 
 def example_clip(db: Session, definition: StudyDefinition) -> ExampleClip | None:
@@ -109,6 +178,7 @@ def overview(db: Session) -> list[StudyLine]:
         StudyLine(
             slug=study.slug,
             title=study.title,
+            state=study.state,
             complete=counts.get((study.id, "complete"), 0),
             active=counts.get((study.id, "active"), 0),
             withdrawn=counts.get((study.id, "withdrawn"), 0),
@@ -120,7 +190,8 @@ def overview(db: Session) -> list[StudyLine]:
 def ensure_demonstration(db: Session) -> Study | None:
     """Make the demonstration study from the sample library; None while that has no clips.
 
-    A study that nobody began follows a changed library. One with participants stays as they saw it.
+    A study that nobody began follows a changed library: its version is replaced, the only case in
+    which that happens. One with participants stays as they saw it.
     """
     clips = store.sample_clips(db, emotion.SAMPLE_SET)
     study = store.by_slug(db, emotion.SLUG)
@@ -128,11 +199,16 @@ def ensure_demonstration(db: Session) -> Study | None:
         return study
     definition = emotion.demonstration(map(_stimulus, clips), _example(db))
     if study is None:
-        study = Study(slug=definition.slug)
+        study = Study(slug=definition.slug, state="open", running={})
         db.add(study)
     study.title = definition.title
-    study.definition = definition.model_dump(mode="json")
-    study.definition_hash = definition.content_hash
+    db.flush()
+    version = store.newest_version(db, study)
+    if version is None:
+        version = StudyVersion(study_id=study.id, number=1)
+        db.add(version)
+    version.definition = definition.model_dump(mode="json")
+    version.definition_hash = definition.content_hash
     db.commit()
     return study
 
@@ -140,7 +216,12 @@ def ensure_demonstration(db: Session) -> Study | None:
 def _stimulus(clip: ClipRecord) -> Stimulus:
     body = clip.tags.get("body", "one body")
     style = clip.tags.get("style") or clip.tags.get("emotion", clip.name)
-    return Stimulus(clip=clip.id, name=clip.name, label=f"{style}, {body}", body=body, style=style)
+    return Stimulus.model_validate(
+        {
+            "clip": clip.id, "name": clip.name, "label": f"{style}, {body}",
+            "body": body, "style": style,
+        }
+    )  # fmt: skip
 
 
 def _example(db: Session) -> str | None:
@@ -148,3 +229,11 @@ def _example(db: Session) -> str | None:
     walks = store.sample_clips(db, emotion.EXAMPLE_SET)
     walks.sort(key=lambda clip: clip.tags.get("style") != "neutral")
     return walks[0].id if walks else None
+
+
+def _unknown(slug: str) -> NotFoundError:
+    return NotFoundError(
+        f"There is no study “{slug[:100]}” on this server.",
+        code="study_not_found",
+        mend="Check the link that you were given.",
+    )

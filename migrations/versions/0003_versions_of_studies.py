@@ -19,6 +19,7 @@ depends_on = None
 JSON = sa.JSON(none_as_null=True)
 TIME = sa.DateTime(timezone=True)
 ASKED = ("question", "hint", "comment", "scales", "steps")
+COUNTED_BY = ["study_id", "kind", "state", "group", "id", "created_at"]
 OF_SESSIONS = (
     sa.Column("kind", sa.String(20), nullable=False, server_default="participant"),
     sa.Column("slot", sa.Integer(), nullable=True),
@@ -26,7 +27,6 @@ OF_SESSIONS = (
     sa.Column("language", sa.String(10), nullable=True),
     sa.Column("source", sa.String(20), nullable=True),
     sa.Column("external", JSON, nullable=True),
-    sa.Column("external_key", sa.String(64), nullable=True),
     sa.Column("excluded", JSON, nullable=True),
     sa.Column("flags", JSON, nullable=True),
 )
@@ -35,6 +35,7 @@ OF_SESSIONS = (
 def upgrade():
     _create_versions()
     _create_members_and_audit()
+    _create_summaries()
     _widen_studies()
     _widen_sessions()
     _widen_responses()
@@ -44,7 +45,25 @@ def upgrade():
 
 
 def downgrade():
-    raise NotImplementedError("Studies with versions cannot go back to one definition each.")
+    _take_back()
+    with op.batch_alter_table("responses") as batch:
+        batch.alter_column("clip_id", existing_type=sa.String(64), nullable=False)
+        for column in ("part", "trial_type", "clips", "check", "passed"):
+            batch.drop_column(column)
+    op.drop_table("session_summaries")
+    for index in ("excluded", "flagged", "version_id_slot", "_".join(COUNTED_BY)):
+        op.drop_index(op.f(f"ix_sessions_{index}"), "sessions")
+    if op.get_bind().dialect.name != "sqlite":
+        op.drop_column("sessions", "version_id")
+    for column in OF_SESSIONS:
+        op.drop_column("sessions", column.name)
+    for column in ("state", "draft", "draft_saved_at", "running"):
+        op.drop_column("studies", column)
+    for table in ("audit", "study_members"):
+        op.drop_table(table)
+    if op.get_bind().dialect.name == "sqlite":
+        op.execute("ALTER TABLE sessions DROP COLUMN version_id")
+    op.drop_table("study_versions")
 
 
 def _create_versions():
@@ -108,6 +127,29 @@ def _create_members_and_audit():
     op.create_index(op.f("ix_audit_study_id"), "audit", ["study_id"])
 
 
+def _create_summaries():
+    names = ("steps", "answered", "seconds", "judged", "same_run", "rated", "flat", "checks")
+    op.create_table(
+        "session_summaries",
+        sa.Column("session_id", sa.Uuid(), nullable=False),
+        sa.Column("upto", sa.BigInteger(), nullable=False),
+        *(sa.Column(name, sa.Integer(), nullable=False) for name in (*names, "failed")),
+        sa.Column("last_at", TIME, nullable=False),
+        sa.Column("median_ms", sa.Integer(), nullable=True),
+        sa.Column("hidden_ms", sa.BigInteger(), nullable=False),
+        sa.Column("seen", sa.Text(), nullable=False),
+        sa.ForeignKeyConstraint(
+            ["session_id"],
+            ["sessions.id"],
+            name=op.f("fk_session_summaries_session_id_sessions"),
+            ondelete="CASCADE",
+        ),
+        sa.PrimaryKeyConstraint("session_id", name=op.f("pk_session_summaries")),
+        sqlite_with_rowid=False,
+    )
+    op.create_index(op.f("ix_session_summaries_upto"), "session_summaries", ["upto"])
+
+
 def _widen_studies():
     state = sa.Column("state", sa.String(20), nullable=False, server_default="open")
     op.add_column("studies", state)
@@ -129,8 +171,17 @@ def _widen_sessions():
         op.alter_column("sessions", "completion_code", type_=sa.String(64))
     for column in OF_SESSIONS:
         op.add_column("sessions", column)
-    op.create_index(op.f("ix_sessions_external_key"), "sessions", ["external_key"], unique=True)
     op.create_index(op.f("ix_sessions_version_id_slot"), "sessions", ["version_id", "slot"])
+    op.create_index(op.f("ix_sessions_" + "_".join(COUNTED_BY)), "sessions", COUNTED_BY)
+    for name, column in (("excluded", "excluded"), ("flagged", "flags")):
+        marked = sa.text(f"{column} IS NOT NULL")
+        op.create_index(
+            op.f(f"ix_sessions_{name}"),
+            "sessions",
+            ["study_id", "id"],
+            sqlite_where=marked,
+            postgresql_where=marked,
+        )
 
 
 def _widen_responses():
@@ -208,3 +259,18 @@ def _planned(old):
         for trial in old["trials"]
     ]
     return {"steps": steps}
+
+
+def _take_back():
+    """Earlier versions of this server know one kind of study only; what is not of it goes."""
+    op.add_column("studies", sa.Column("definition", JSON, nullable=True))
+    op.add_column("studies", sa.Column("definition_hash", sa.String(64), nullable=True))
+    op.execute("DELETE FROM responses")
+    op.execute("DELETE FROM sessions")
+    op.execute("DELETE FROM audit")
+    op.execute("DELETE FROM study_members")
+    op.execute("DELETE FROM study_versions")
+    op.execute("DELETE FROM studies")
+    with op.batch_alter_table("studies") as batch:
+        batch.alter_column("definition", existing_type=JSON, nullable=False)
+        batch.alter_column("definition_hash", existing_type=sa.String(64), nullable=False)
