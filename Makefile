@@ -50,6 +50,10 @@ lint: .venv/.test-ready static/dist/.ready ## Formatting, style, types and impor
 format: .venv/.test-ready ## Format the Python code and mend what can be mended
 	@$(BIN)/ruff format -q . && $(BIN)/ruff check -q --fix .
 
+.PHONY: messages
+messages: .venv/.run-ready ## Bring the translations' catalogs up to date with the pages
+	@$(BIN)/python -m app.messages
+
 .PHONY: bench
 bench: .venv/.bench-ready static/dist/.ready browser ## Measure speed beside peers: one table
 	@HOME=$(CACHE)/home $(BIN)/python -m tests.bench $(BENCH_ARGS)

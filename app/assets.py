@@ -11,6 +11,7 @@ from starlette.responses import Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
+_STYLESHEET = Markup('<link rel="stylesheet" href="/static/{}">')
 YEAR = "public, max-age=31536000, immutable"
 
 
@@ -25,7 +26,7 @@ class Assets:
     def tags(self, entry: str) -> Markup:
         """Stylesheet and module tags of ``entry``, such as ``src/entries/site.ts``, or an icon's.
 
-        An SVG, such as ``src/favicon.svg``, becomes the page's icon.
+        An SVG, such as ``src/favicon.svg``, becomes the page's icon; a stylesheet may stand alone.
 
         Raises:
             LookupError: when the front end was not built or has no such entry.
@@ -36,9 +37,11 @@ class Assets:
         if entry.endswith(".svg"):
             icon = Markup('<link rel="icon" type="image/svg+xml" href="/static/{}">')
             return icon.format(manifest[entry]["file"])
+        if entry.endswith(".css"):
+            return _STYLESHEET.format(manifest[entry]["file"])
         chunks = _with_imports(manifest, entry)
         styles = dict.fromkeys(css for chunk in chunks for css in chunk.get("css", ()))
-        lines = [Markup('<link rel="stylesheet" href="/static/{}">').format(css) for css in styles]
+        lines = [_STYLESHEET.format(css) for css in styles]
         lines += [
             Markup('<link rel="modulepreload" href="/static/{}">').format(chunk["file"])
             for chunk in chunks[1:]

@@ -11,8 +11,9 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.exceptions import HTTPException
 
-from app import errors
-from app.pages import render
+from app import error_texts, errors, i18n
+from app.pages import render, wanted_languages
+from app.schemas.study import LANGUAGES, Language
 
 STATUSES: dict[type[errors.MannerError], int] = {
     errors.InvalidError: 422,
@@ -25,6 +26,8 @@ STATUSES: dict[type[errors.MannerError], int] = {
     errors.BusyError: 503,
 }
 CODES = {413: errors.TooLargeError.default_code}
+# A participant's script sends the page's language as Accept-Language.
+PARTICIPANTS = ("/take/", "/studies/", "/api/v1/sessions/")
 CHALLENGE = {"WWW-Authenticate": "Bearer"}  # how programs may make themselves known
 MENDS = {
     404: "Check the address, or start again from the first page.",
@@ -104,17 +107,28 @@ def _answer(
     status: int,
     headers: Mapping[str, str] | None = None,
 ) -> Response:
+    language = _language(request)
+    mend = error.mend or MENDS.get(status)
+    message, mend = error_texts.told(error.code, error.message, mend, language)
     body = {
         "code": error.code,
-        "message": error.message,
+        "message": message,
         "where": error.where,
-        "mend": error.mend or MENDS.get(status),
+        "mend": mend,
         **error.extra,
     }
     if _is_api(request):
         return JSONResponse({"error": body}, status, headers)
     told = {**body, "phrase": HTTPStatus(status).phrase}
-    return render(request, "error.html", status=status, headers=headers, error=told)
+    return render(
+        request, "error.html", status=status, headers=headers, language=language, error=told
+    )
+
+
+def _language(request: Request) -> Language:
+    """A participant is answered in the page's language, a researcher in English."""
+    for_participant = request.url.path.startswith(PARTICIPANTS)
+    return i18n.best(LANGUAGES, wanted_languages(request)) if for_participant else i18n.SOURCE
 
 
 def _is_api(request: Request) -> bool:

@@ -9,7 +9,9 @@ from fastapi.templating import Jinja2Templates
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
 from starlette.responses import HTMLResponse
 
+from app import i18n
 from app.assets import Assets
+from app.schemas.study import Language
 from app.settings import PROJECT
 
 
@@ -32,14 +34,30 @@ def render(
     *,
     status: int = 200,
     headers: Mapping[str, str] | None = None,
+    language: Language = i18n.SOURCE,
     **context: object,
 ) -> HTMLResponse:
-    """A page. Besides ``context`` it knows ``csrf_token`` and ``researcher`` (or ``None``)."""
+    """A page. Besides ``context`` it knows ``csrf_token`` and ``researcher`` (or ``None``).
+
+    A participant's page says what it says through ``_("…")`` and ``ngettext("…", "…", n)``, in
+    ``language``; ``phrases`` writes numbers and times.
+    """
     templates: Jinja2Templates = request.app.state.templates
+    phrases = i18n.phrases(language)
     common = {
+        "language": language,
+        "phrases": phrases,
+        "_": phrases.text,
+        "ngettext": phrases.plural,
         "csrf_token": request.state.csrf.token,
         "researcher": getattr(request.state, "researcher", None),
     }
     return templates.TemplateResponse(
         request, template, {**common, **context}, status_code=status, headers=headers
     )
+
+
+def wanted_languages(request: Request, chosen: str | None = None) -> tuple[str, ...]:
+    """The languages that a person wants: the one chosen on the page, then the browser's."""
+    asked = chosen or request.query_params.get("lang")
+    return i18n.wanted(asked, request.headers.get("accept-language"))

@@ -12,7 +12,10 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 1200,
     rolldownOptions: {
-      input: Object.fromEntries(pages.map((page) => [page, `src/entries/${page}.ts`])),
+      input: {
+        ...Object.fromEntries(pages.map((page) => [page, `src/entries/${page}.ts`])),
+        japanese: "src/styles/japanese.css",
+      },
     },
   },
 });

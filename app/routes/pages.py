@@ -7,8 +7,10 @@ import json
 from fastapi import APIRouter, Request
 from fastapi.responses import HTMLResponse
 
+from app import i18n
 from app.dependencies import MaybeResearcher, Reading
-from app.pages import render
+from app.pages import render, wanted_languages
+from app.schemas.study import LANGUAGES
 from app.services import catalogue, landing, library
 
 router = APIRouter(include_in_schema=False)
@@ -42,4 +44,5 @@ def clip_page(
 @router.get("/no-webgl")
 def no_webgl_page(request: Request) -> HTMLResponse:
     """What to do when the browser cannot draw the figure."""
-    return render(request, "no_webgl.html")
+    language = i18n.best(LANGUAGES, wanted_languages(request))
+    return render(request, "no_webgl.html", language=language)

@@ -3,9 +3,9 @@
 What the templates of `templates/participant/` are given besides `language`:
 
 - `welcome.html`: study (StudyDefinition, texts in the page's language), languages (id and name of
-  each that the study has), clip {glb_url, figure_url, cyclic} or None, problem (text or None),
-  carried (parameters of the address that the form hands on);
-- `closed.html`: study, reason (`app.services.admission.Closed`), opens_at;
+  each that the study has), carried (parameters of the address that are handed on), clip {glb_url,
+  figure_url, cyclic} or None, problem (an error's code or None), previewing;
+- `closed.html`: study, languages, carried, reason (`app.services.admission.Closed`), opens_at;
 - `take.html`: study, token; the steps come over the API;
 - `thanks.html`: study, token, state, going (`app.services.recruiting.Return`), answers (how many
   clips were judged), clip or None; also for who was screened out;
@@ -25,7 +25,7 @@ from sqlalchemy.orm import Session
 
 from app.dependencies import CsrfChecked, CurrentWriter, Reading, SigningKey
 from app.errors import ConflictError, InvalidError
-from app.pages import render
+from app.pages import render, wanted_languages
 from app.schemas.study import LANGUAGE_NAMES
 from app.services import recruiting, sessions, studies
 from app.services.recruiting import PARAMETERS, Arrival
@@ -53,7 +53,7 @@ def show_welcome(request: Request, slug: str, db: Reading, secret: SigningKey) -
     token = recruiting.personal_token(secret, slug, coming)
     if sessions.known(db, token):
         return RedirectResponse(f"/take/{token}", 303)
-    page = studies.welcome(db, slug, coming, _languages(request, given.get("lang")))
+    page = studies.welcome(db, slug, coming, wanted_languages(request))
     return _welcome(request, page, coming, given)
 
 
@@ -65,7 +65,7 @@ def begin(
 ) -> Response:  # fmt: skip
     """Start a session for someone who agreed, and lead to its personal link."""
     coming = _coming(given, slug, db, secret)
-    languages = _languages(request, lang)
+    languages = wanted_languages(request, lang)
     page = studies.welcome(db, slug, coming, languages)
     if agree != "yes" or coming.previewing:
         return _welcome(request, page, coming, given, "not_agreed")
@@ -130,27 +130,23 @@ def _coming(given: Mapping[str, str], slug: str, db: Session, secret: str) -> Ar
     return recruiting.arrival(given, studies.running_of(study), slug, secret)
 
 
-def _languages(request: Request, chosen: str | None) -> tuple[str | None, ...]:
-    """The one chosen on the page, then the browser's, which name the best first."""
-    accepted = request.headers.get("accept-language", "").split(",")
-    return (chosen, *(one.partition(";")[0].strip() for one in accepted))
-
-
 def _welcome(
     request: Request, page: WelcomePage, coming: Arrival, given: Mapping[str, str],
     problem: str | None = None,
 ) -> Response:  # fmt: skip
     """The welcome page, or why the study takes nobody now."""
+    shown: dict[str, Any] = {
+        "language": page.language,
+        "study": page.study,
+        "languages": [(one, LANGUAGE_NAMES[one]) for one in page.study.languages],
+        "carried": {name: given[name] for name in PARAMETERS if given.get(name)},
+    }
     if page.closed:
-        return render(
-            request, "participant/closed.html", language=page.language, status=200,
-            study=page.study, reason=page.closed, opens_at=page.opens_at,
-        )  # fmt: skip
+        reason = {"reason": page.closed, "opens_at": page.opens_at}
+        return render(request, "participant/closed.html", **shown, **reason)
     return render(
-        request, "participant/welcome.html", language=page.language, status=422 if problem else 200,
-        study=page.study, clip=page.clip, problem=problem, previewing=coming.previewing,
-        languages=[(one, LANGUAGE_NAMES[one]) for one in page.study.languages],
-        carried={name: given[name] for name in PARAMETERS if given.get(name)},
+        request, "participant/welcome.html", status=422 if problem else 200,
+        clip=page.clip, problem=problem, previewing=coming.previewing, **shown,
     )  # fmt: skip
 
 

@@ -8,9 +8,10 @@ from datetime import datetime
 from sqlalchemy.orm import Session
 
 from app.errors import NotFoundError
+from app.i18n import best
 from app.persistence import studies as store
 from app.persistence.models import ClipRecord, Study, StudyVersion, now
-from app.schemas.study import LANGUAGES, Language, Running, Stimulus, StudyDefinition
+from app.schemas.study import Language, Running, Stimulus, StudyDefinition
 from app.services.admission import Closed, closed_for
 from app.services.recruiting import Arrival
 from app.studies import emotion
@@ -110,11 +111,7 @@ _LOCALISED: dict[tuple[str, Language], StudyDefinition] = {}
 
 def language_for(definition: StudyDefinition, *wanted: str | None) -> Language:
     """The first wanted language that the study has, else its own first one."""
-    for one in wanted:
-        for language in LANGUAGES:
-            if one and one.lower().split("-")[0] == language and language in definition.languages:
-                return language
-    return definition.languages[0]
+    return best(definition.languages, wanted)
 
 
 def running_of(study: Study) -> Running:

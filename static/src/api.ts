@@ -1,5 +1,7 @@
 // The only place that talks to the server: one error shape in, one error class out.
 
+import { language, t } from "./words";
+
 /** Where in a file, a session or a form something went wrong; its keys depend on the error's code. */
 export type Where = Record<string, unknown>;
 
@@ -36,7 +38,8 @@ export interface RequestOptions {
 
 type Method = "GET" | "POST" | "PATCH" | "PUT" | "DELETE";
 
-const OFFLINE = "The server did not answer. Check the connection, then try again.";
+const offline = () =>
+  new ApiError("offline", t("The server did not answer. Check the connection, then try again."), null, null, 0);
 
 export const api = {
   get: <T>(path: string, options?: RequestOptions) => send<T>("GET", path, undefined, options),
@@ -123,7 +126,7 @@ async function reach(path: string, init: RequestInit): Promise<Response> {
     return await fetch(path, { credentials: "same-origin", ...init });
   } catch (cause) {
     if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
-    throw new ApiError("offline", OFFLINE, null, null, 0);
+    throw offline();
   }
 }
 
@@ -140,7 +143,7 @@ function upload<T>(
       request.setRequestHeader(name, value);
     }
     request.upload.onprogress = ({ loaded, total }) => onProgress(total ? loaded / total : 0);
-    request.onerror = () => reject(new ApiError("offline", OFFLINE, null, null, 0));
+    request.onerror = () => reject(offline());
     request.onload = () => {
       if (request.status < 200 || request.status > 299) {
         reject(errorFrom(request.status, request.responseText));
@@ -158,8 +161,8 @@ export function errorFrom(status: number, text: string): ApiError {
     if (typeof message !== "string") throw new TypeError("no message");
     return new ApiError(String(code), message, where ?? null, mend ?? null, status, offer ?? null, detail);
   } catch {
-    const message = `The server answered with status ${status} and no explanation.`;
-    return new ApiError("unexplained", message, null, "Try again in a moment.", status);
+    const message = t("The server answered with status {status} and no explanation.", { status });
+    return new ApiError("unexplained", message, null, t("Try again in a moment."), status);
   }
 }
 
@@ -167,6 +170,7 @@ function headers(method: Method, extra: Record<string, string> = {}): Record<str
   const csrf = document.querySelector<HTMLMetaElement>('meta[name="csrf-token"]')?.content;
   return {
     Accept: "application/json",
+    "Accept-Language": language(),
     ...extra,
     ...(csrf && method !== "GET" ? { "X-CSRF-Token": csrf } : {}),
   };

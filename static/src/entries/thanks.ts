@@ -1,6 +1,7 @@
 import "../styles/participant.css";
 import { Store } from "../participant/store";
 import { hasWebGL } from "../viewer/support";
+import { t } from "../words";
 
 // Everything has arrived, or is deleted: this device has nothing more to keep.
 const { token } = document.querySelector<HTMLElement>("[data-forget]")?.dataset ?? {};
@@ -22,5 +23,5 @@ async function copy(button: HTMLButtonElement): Promise<void> {
   const text = document.getElementById(button.dataset["copy"] ?? "")?.textContent?.trim() ?? "";
   await navigator.clipboard.writeText(text);
   const word = button.querySelector("span");
-  if (word) word.textContent = "Copied";
+  if (word) word.textContent = t("Copied");
 }

@@ -1,4 +1,5 @@
 import "../styles/participant.css";
+import { showLocalTimes } from "../participant/local_time";
 import { hasWebGL } from "../viewer/support";
 
 // Taking part is offered only where the clips can be drawn, and before anything is agreed to.
@@ -7,3 +8,4 @@ for (const part of document.querySelectorAll<HTMLElement>("[data-when]")) {
   part.hidden = part.dataset["when"] !== state;
 }
 if (state === "supported" && document.querySelector("motion-viewer")) void import("../viewer/motion_viewer");
+showLocalTimes();

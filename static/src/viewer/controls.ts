@@ -1,4 +1,5 @@
 /** The bar under the stage: play, replay, scrub and look around; with more of it in the tools. */
+import { t } from "../words";
 import type { Preset } from "./camera";
 import { icon, make, type IconName } from "./dom";
 
@@ -58,16 +59,16 @@ export class Controls {
     this.playButton = make("button", { type: "button", click: () => this.toggle() }, this.playIcon);
     this.scrubber = this.makeScrubber();
     this.look = {
-      hint: make("span", { class: "hint" }, icon("orbit"), make("span", {}, "Drag to look around")),
+      hint: make("span", { class: "hint" }, icon("orbit"), make("span", {}, t("Drag to look around"))),
       reset: make(
         "button",
-        { type: "button", "aria-label": "Reset the view", title: "Reset the view", click: () => viewer.resetCamera() },
+        { type: "button", "aria-label": t("Reset the view"), title: t("Reset the view"), click: () => viewer.resetCamera() },
         icon("orbit"),
-        make("span", {}, "Reset the view"),
+        make("span", {}, t("Reset the view")),
       ),
     };
     const look = make("div", { class: "look" }, this.look.hint, this.look.reset);
-    const replay = iconButton("replay", "Replay from the start", () => viewer.replay());
+    const replay = iconButton("replay", t("Replay from the start"), () => viewer.replay());
     this.bar = make("div", { class: `controls${full ? " full" : ""}` });
     this.bar.append(this.playButton, replay, this.scrubber);
     if (full) {
@@ -102,7 +103,7 @@ export class Controls {
   private updatePlaying(paused: boolean): void {
     if (paused === this.shownPaused) return;
     this.shownPaused = paused;
-    const label = paused ? "Play" : "Pause";
+    const label = paused ? t("Play") : t("Pause");
     this.playButton.replaceChildren(paused ? this.playIcon : this.pauseIcon);
     this.playButton.setAttribute("aria-label", label);
     this.playButton.title = label;
@@ -128,7 +129,7 @@ export class Controls {
     this.frame.textContent = ` · frame ${frame + 1}`;
     // A reader that is on the scrubber hears its value; while playing it would never stop talking.
     if (this.viewer.paused) {
-      const text = `${seconds} of ${this.shownDuration.toFixed(2)} seconds`;
+      const text = t("{place} of {length} seconds", { place: seconds, length: this.shownDuration.toFixed(2) });
       this.scrubber.setAttribute("aria-valuetext", text);
     }
   }
@@ -163,7 +164,7 @@ export class Controls {
       this.resume = false;
     };
     return make("input", {
-      type: "range", min: "0", max: "1", step: "any", "aria-label": "Place in the motion", input, change,
+      type: "range", min: "0", max: "1", step: "any", "aria-label": t("Place in the motion"), input, change,
     });
   }
 
