@@ -21,7 +21,6 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Form, Request
 from fastapi.responses import RedirectResponse, Response
-from sqlalchemy.orm import Session
 
 from app.dependencies import CsrfChecked, CurrentWriter, Reading, SigningKey
 from app.errors import ConflictError, InvalidError
@@ -125,7 +124,7 @@ def withdraw(request: Request, token: str, db: Reading, writer: CurrentWriter) -
     return _page(request, "withdrawn", token, sessions.standing(db, token), language=language)
 
 
-def _coming(given: Mapping[str, str], slug: str, db: Session, secret: str) -> Arrival:
+def _coming(given: Mapping[str, str], slug: str, db: Reading, secret: str) -> Arrival:
     study = studies.find(db, slug)
     return recruiting.arrival(given, studies.running_of(study), slug, secret)
 
@@ -142,8 +141,9 @@ def _welcome(
         "carried": {name: given[name] for name in PARAMETERS if given.get(name)},
     }
     if page.closed:
-        reason = {"reason": page.closed, "opens_at": page.opens_at}
-        return render(request, "participant/closed.html", **shown, **reason)
+        return render(
+            request, "participant/closed.html", reason=page.closed, opens_at=page.opens_at, **shown
+        )
     return render(
         request, "participant/welcome.html", status=422 if problem else 200,
         clip=page.clip, problem=problem, previewing=coming.previewing, **shown,
