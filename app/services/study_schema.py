@@ -46,7 +46,7 @@ def kinds(document: object, path: Path) -> tuple[str, ...]:
     """The kinds that the object at this place can be of; none if there is one only."""
     found: Schema = schema()
     for depth, step in enumerate(path):
-        found = _step(_object(found, _value(document, path[:depth])), step)
+        found = _step(_object(found, value_at(document, path[:depth])), step)
     while "$ref" in found:
         found = schema()["$defs"][found["$ref"].rpartition("/")[2]]
     return tuple(found.get("discriminator", {}).get("mapping", ()))
@@ -55,8 +55,8 @@ def kinds(document: object, path: Path) -> tuple[str, ...]:
 def _at(document: object, path: Path) -> Schema:
     found: Schema = schema()
     for depth, step in enumerate(path):
-        found = _step(_object(found, _value(document, path[:depth])), step)
-    return _object(found, _value(document, path))
+        found = _step(_object(found, value_at(document, path[:depth])), step)
+    return _object(found, value_at(document, path))
 
 
 def _step(found: Schema, step: str | int) -> Schema:
@@ -94,7 +94,7 @@ def _alternative(options: list[Schema], value: object) -> Schema:
     return (fitting or resolved or [{}])[0]
 
 
-def _value(document: object, path: Path) -> object:
+def value_at(document: object, path: Path) -> object:
     """What stands at a place of a file, None where nothing does."""
     found: Any = document
     for step in path:
