@@ -331,7 +331,10 @@ class StudySession(Base):
     __table_args__ = (
         Index(None, "version_id", "slot"),
         # All that the live page counts by, so that it reads no row: rows hold long plans.
-        Index(None, "study_id", "kind", "state", "group", "id", "created_at"),
+        Index(
+            "ix_sessions_counted", "study_id", "kind", "state", "group", "id", "created_at",
+            "version_id",
+        ),
         Index(
             "ix_sessions_excluded", "study_id", "id",
             sqlite_where=text("excluded IS NOT NULL"),
@@ -367,7 +370,7 @@ class StudySession(Base):
     consented_at: Mapped[datetime | None]
     completed_at: Mapped[datetime | None]
     withdrawn_at: Mapped[datetime | None]
-    completion_code: Mapped[str | None] = mapped_column(String(64))
+    completion_code: Mapped[str | None] = mapped_column(String(40))
     user_agent_class: Mapped[str | None] = mapped_column(String(40))
     created_at: Mapped[datetime] = mapped_column(default=now)
 

@@ -19,7 +19,7 @@ depends_on = None
 JSON = sa.JSON(none_as_null=True)
 TIME = sa.DateTime(timezone=True)
 ASKED = ("question", "hint", "comment", "scales", "steps")
-COUNTED_BY = ["study_id", "kind", "state", "group", "id", "created_at"]
+COUNTED_BY = ["study_id", "kind", "state", "group", "id", "created_at", "version_id"]
 OF_SESSIONS = (
     sa.Column("kind", sa.String(20), nullable=False, server_default="participant"),
     sa.Column("slot", sa.Integer(), nullable=True),
@@ -51,7 +51,7 @@ def downgrade():
         for column in ("part", "trial_type", "clips", "check", "passed"):
             batch.drop_column(column)
     op.drop_table("session_summaries")
-    for index in ("excluded", "flagged", "version_id_slot", "_".join(COUNTED_BY)):
+    for index in ("excluded", "flagged", "version_id_slot", "counted"):
         op.drop_index(op.f(f"ix_sessions_{index}"), "sessions")
     if op.get_bind().dialect.name != "sqlite":
         op.drop_column("sessions", "version_id")
@@ -167,12 +167,10 @@ def _widen_sessions():
         op.add_column("sessions", sa.Column("version_id", sa.Integer(), nullable=True))
         name = op.f("fk_sessions_version_id_study_versions")
         op.create_foreign_key(name, "sessions", "study_versions", ["version_id"], ["id"])
-        # SQLite takes longer texts as they come.
-        op.alter_column("sessions", "completion_code", type_=sa.String(64))
     for column in OF_SESSIONS:
         op.add_column("sessions", column)
     op.create_index(op.f("ix_sessions_version_id_slot"), "sessions", ["version_id", "slot"])
-    op.create_index(op.f("ix_sessions_" + "_".join(COUNTED_BY)), "sessions", COUNTED_BY)
+    op.create_index(op.f("ix_sessions_counted"), "sessions", COUNTED_BY)
     for name, column in (("excluded", "excluded"), ("flagged", "flags")):
         marked = sa.text(f"{column} IS NOT NULL")
         op.create_index(

@@ -1,0 +1,293 @@
+"""What the live page counts: sessions by index, their answers by one summary a session."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Iterable, Sequence
+from datetime import datetime
+from typing import Any, NamedTuple
+
+from sqlalchemy import ColumnElement, and_, case, delete, func, insert, or_, select
+from sqlalchemy.orm import Session
+
+from app.persistence.models import Response, SessionSummary, StudySession, StudyVersion
+
+# Transactions of several servers may commit in another order than they were numbered: as many
+# answers back may still turn up.
+LATE = 1000
+
+
+class Limits(NamedTuple):
+    """From where on a session's numbers are suspicious (`app.services.suspicions`)."""
+
+    same_run: int
+    fewest: int
+    fast_ms: int
+    hidden_ms: int
+    usual_ms: float | None
+
+
+class Scope(NamedTuple):
+    """Whose sessions are counted."""
+
+    study_id: int
+    kind: str
+
+
+class Standing(NamedTuple):
+    """How many sessions of a group stand where; `going`: with a sign of life lately."""
+
+    state: str
+    group: str | None
+    going: bool
+    answered: int
+    steps: int
+    sessions: int
+
+
+class Line(NamedTuple):
+    """One session as the list shows it; the summary is None before the first answer."""
+
+    id: uuid.UUID
+    state: str
+    group: str | None
+    language: str | None
+    device: str | None
+    source: str | None
+    began: datetime
+    excluded: dict[str, Any] | None
+    flags: dict[str, Any] | None
+    summary: SessionSummary | None
+
+
+_S, _M = StudySession, SessionSummary
+
+
+def standings(db: Session, scope: Scope, since: datetime) -> list[Standing]:
+    """Counted sessions by all that the charts part them by; `going` are those heard of since."""
+    sign = func.coalesce(_M.last_at, _S.created_at)
+    keys = (
+        _S.state, _S.group, case((sign >= since, 1), else_=0),
+        func.coalesce(_M.answered, 0), func.coalesce(_M.steps, 0),
+    )  # fmt: skip
+    query = select(*keys, func.count()).outerjoin(_M, _M.session_id == _S.id)
+    rows = db.execute(query.where(*_counted(scope)).group_by(*keys))
+    return [
+        Standing(state, group, bool(going), answered, steps, count)
+        for state, group, going, answered, steps, count in rows
+    ]
+
+
+def excluded_count(db: Session, scope: Scope) -> int:
+    """How many sessions a researcher has left out."""
+    query = select(func.count()).select_from(_S)
+    return db.scalar(query.where(*_of(scope), _S.excluded.is_not(None))) or 0
+
+
+def durations(db: Session, scope: Scope) -> list[tuple[int, int]]:
+    """Whole seconds from agreeing to the last answer, and how many complete sessions took them."""
+    return _histogram(db, scope, _M.seconds)
+
+
+def paces(db: Session, scope: Scope) -> list[tuple[int, int]]:
+    """Median time of a trial in ms, and how many complete sessions had it."""
+    return _histogram(db, scope, _M.median_ms)
+
+
+def seen(db: Session, scope: Scope) -> list[tuple[int, bool, str]]:
+    """Version, whether complete, and the clips that its sessions judged, joined to one string."""
+    complete = case((_S.state == "complete", 1), else_=0)
+    rows = db.execute(
+        select(_S.version_id, complete, func.aggregate_strings(_M.seen, ""))
+        .join(_M, _M.session_id == _S.id)
+        .where(*_counted(scope))
+        .group_by(_S.version_id, complete)
+    )
+    return [(version, bool(is_complete), clips) for version, is_complete, clips in rows]
+
+
+def suspicious(
+    db: Session, scope: Scope, limits: Limits, count: int
+) -> tuple[int, list[uuid.UUID]]:
+    """How many counted sessions break a rule, and the latest of them."""
+    broken = or_(
+        _M.same_run >= limits.same_run,
+        and_(_M.rated >= limits.fewest, 2 * _M.flat >= _M.rated),
+        and_(_M.judged >= limits.fewest, _M.median_ms < limits.fast_ms),
+        _M.failed > 0,
+        _M.hidden_ms > limits.hidden_ms,
+    )
+    query = select(_S.id).join(_M, _M.session_id == _S.id).where(*_counted(scope), broken)
+    total = db.scalar(select(func.count()).select_from(query.subquery())) or 0
+    return total, list(db.scalars(query.order_by(_S.created_at.desc(), _S.id).limit(count)))
+
+
+def latest(db: Session, scope: Scope, count: int, offset: int = 0) -> list[uuid.UUID]:
+    """The sessions that began last, tombstones left out."""
+    query = select(_S.id).where(*_of(scope), _S.state != "withdrawn")
+    page = query.order_by(_S.created_at.desc(), _S.id).limit(count).offset(offset)
+    return list(db.scalars(page))
+
+
+def marked(db: Session, scope: Scope, count: int) -> list[uuid.UUID]:
+    """The sessions that a researcher has left out or marked by hand."""
+    found: list[uuid.UUID] = []
+    for column in (_S.excluded, _S.flags):
+        query = select(_S.id).where(*_of(scope), column.is_not(None))
+        found += db.scalars(query.order_by(_S.id).limit(count))
+    return list(dict.fromkeys(found))
+
+
+def lines(db: Session, ids: Iterable[uuid.UUID]) -> dict[uuid.UUID, Line]:
+    """These sessions, as lists show them."""
+    rows = db.execute(
+        select(
+            _S.id, _S.state, _S.group, _S.language, _S.user_agent_class, _S.source,
+            _S.created_at, _S.excluded, _S.flags, _M,
+        )
+        .outerjoin(_M, _M.session_id == _S.id)
+        .where(_S.id.in_(list(ids)))
+    )  # fmt: skip
+    return {row[0]: Line(*row) for row in rows}
+
+
+def session_of(
+    db: Session, study_id: int, session_id: uuid.UUID, *, lock: bool = False
+) -> StudySession | None:
+    """A session of this study; locked, no other server process changes it meanwhile."""
+    query = select(_S).where(_S.id == session_id, _S.study_id == study_id)
+    if lock:
+        query = query.with_for_update().execution_options(populate_existing=True)
+    return db.scalar(query)
+
+
+def answers_of(db: Session, session_id: uuid.UUID) -> list[Response]:
+    """Every answer of a session in the order of its steps, earlier revisions first."""
+    query = select(Response).where(Response.session_id == session_id)
+    return list(db.scalars(query.order_by(Response.trial_index, Response.revision)))
+
+
+def expired(db: Session, study_id: int, before: datetime, count: int) -> list[StudySession]:
+    """Sessions whose last sign, answer or beginning, is older; tombstones left out."""
+    last = (
+        select(func.max(Response.received_at)).where(Response.session_id == _S.id).scalar_subquery()
+    )
+    query = (
+        select(_S)
+        .where(_S.study_id == study_id, _S.state != "withdrawn", _S.created_at < before)
+        .where(func.coalesce(last, _S.created_at) < before)
+        .limit(count)
+    )
+    return list(db.scalars(query.with_for_update(of=_S)))
+
+
+# ── summaries ──────────────────────────────────────────────────────────────────────────────────
+
+
+class Asked(NamedTuple):
+    """A session as its summary needs it."""
+
+    id: uuid.UUID
+    version_id: int
+    definition_hash: str
+    plan: dict[str, Any] | None
+    began: datetime
+
+
+class Answered(NamedTuple):
+    """An answer as its session's summary needs it."""
+
+    trial_index: int
+    part: str
+    clip_id: str | None
+    clips: list[str] | None
+    practice: bool
+    check: str | None
+    passed: bool | None
+    answers: dict[str, Any]
+    rt_ms: float
+    received_at: datetime
+    hidden_ms: float | None
+
+
+def waiting(db: Session, window: int) -> tuple[int, list[uuid.UUID]]:
+    """The sessions of the next answers that are in no summary, and the number they reach up to."""
+    known = db.scalar(select(func.max(_M.upto))) or 0
+    end = db.scalar(
+        select(func.max(Response.id)).where(
+            Response.id.in_(
+                select(Response.id).where(Response.id > known).order_by(Response.id).limit(window)
+            )
+        )
+    )
+    end = max(end or 0, known)
+    rows = db.scalars(
+        select(Response.session_id)
+        .distinct()
+        .outerjoin(_M, _M.session_id == Response.session_id)
+        .where(Response.id > known - LATE, Response.id <= end)
+        .where(or_(_M.upto.is_(None), Response.id > _M.upto))
+    )
+    return end, list(rows)
+
+
+def to_summarise(db: Session, ids: Sequence[uuid.UUID]) -> list[Asked]:
+    """What is known of these sessions besides their answers."""
+    began = func.coalesce(_S.consented_at, _S.created_at)
+    rows = db.execute(
+        select(_S.id, _S.version_id, StudyVersion.definition_hash, _S.plan, began)
+        .join(StudyVersion, StudyVersion.id == _S.version_id)
+        .where(_S.id.in_(ids), _S.state != "withdrawn")
+    )
+    return [Asked(*row) for row in rows]
+
+
+def newest_answers(db: Session, session_id: uuid.UUID) -> list[Answered]:
+    """The newest answer of each step, as far as a summary needs it."""
+    rows = db.execute(
+        select(
+            Response.trial_index, Response.part, Response.clip_id, Response.clips,
+            Response.practice, Response.check, Response.passed, Response.answers,
+            Response.rt_ms, Response.received_at,
+            Response.record["hidden_ms"].as_float(),
+        )
+        .where(Response.session_id == session_id)
+        .order_by(Response.trial_index, Response.revision)
+    )  # fmt: skip
+    return list({row[0]: Answered(*row) for row in rows}.values())
+
+
+def put_summaries(db: Session, rows: Sequence[dict[str, Any]]) -> None:
+    """Store summaries in the place of earlier ones."""
+    alive = set(
+        db.scalars(
+            select(_S.id)
+            .where(_S.id.in_([row["session_id"] for row in rows]), _S.state != "withdrawn")
+            .with_for_update()
+        )
+    )
+    kept = [row for row in rows if row["session_id"] in alive]
+    db.execute(delete(_M).where(_M.session_id.in_([row["session_id"] for row in kept])))
+    if kept:
+        db.execute(insert(_M), kept)
+
+
+def _of(scope: Scope) -> tuple[ColumnElement[bool], ...]:
+    return (_S.study_id == scope.study_id, _S.kind == scope.kind)
+
+
+def _counted(scope: Scope) -> tuple[ColumnElement[bool], ...]:
+    """By the indexes alone: not to be left out is the rule, so the few exceptions are listed."""
+    left_out = select(_S.id).where(_S.study_id == scope.study_id, _S.excluded.is_not(None))
+    return (*_of(scope), _S.id.not_in(left_out))
+
+
+def _histogram(db: Session, scope: Scope, value: Any) -> list[tuple[int, int]]:  # noqa: ANN401 -- a column
+    query = (
+        select(value, func.count())
+        .join(_S, _S.id == _M.session_id)
+        .where(*_counted(scope), _S.state == "complete", value.is_not(None))
+        .group_by(value)
+        .order_by(value)
+    )
+    return [(row[0], row[1]) for row in db.execute(query)]
