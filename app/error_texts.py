@@ -31,8 +31,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "study_full": ("This study is full.", "Nothing was kept. You can try again later."),
     "session_expired": (
-        "This personal link is too old; the study cannot be gone on with.",
-        "There is nothing more to do. Thank you for your time.",
+        "This personal link is too old.",
+        "What you answered is kept. Write to the researchers if you want to go on.",
     ),
     "session_not_found": ("This personal link is not known here.", _AS_GOT),
     "invitation_invalid": (
