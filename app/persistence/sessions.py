@@ -13,9 +13,10 @@ from app.persistence.models import Response, Study, StudySession, now
 
 
 class Progress(NamedTuple):
-    """How far one session is; `answered` counts trials, `last_answer` is None before the first."""
+    """How far one session is; `answered` counts steps, `last_answer` is None before the first."""
 
     state: str
+    excluded: bool
     consented_at: datetime | None
     completed_at: datetime | None
     answered: int
@@ -71,8 +72,8 @@ def _holds(since: datetime) -> ColumnElement[bool]:
     return and_(StudySession.excluded.is_(null()), or_(StudySession.state == "complete", under_way))
 
 
-def progress(session: Session, study: Study) -> list[Progress]:
-    """All sessions of a study."""
+def progress(session: Session, study: Study, kind: str = "participant") -> list[Progress]:
+    """All sessions of a study, of one kind."""
     answers = (
         select(
             Response.session_id,
@@ -85,13 +86,14 @@ def progress(session: Session, study: Study) -> list[Progress]:
     rows = session.execute(
         select(
             StudySession.state,
+            StudySession.excluded.is_not(null()),
             StudySession.consented_at,
             StudySession.completed_at,
             func.coalesce(answers.c.answered, 0),
             answers.c.last_answer,
         )
         .outerjoin(answers, answers.c.session_id == StudySession.id)
-        .where(StudySession.study_id == study.id, StudySession.kind == "participant")
+        .where(StudySession.study_id == study.id, StudySession.kind == kind)
         .order_by(StudySession.created_at, StudySession.id)
     )
     return [Progress(*row) for row in rows]

@@ -240,6 +240,8 @@ def _loaded(value):
 
 def _converted(old):
     task = {"kind": "semantic_differential", **{name: old[name] for name in ASKED}}
+    # No placeholder was an empty one.
+    task["comment"] = {name: text for name, text in old["comment"].items() if text}
     part = {
         "kind": "trials",
         "id": "clips",

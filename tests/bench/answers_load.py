@@ -20,10 +20,9 @@ from pathlib import Path
 from app.persistence import schema
 from app.persistence.engine import Database, make_engine
 from app.persistence.writer import Writer
-from app.services import sessions
-from app.studies import emotion
 from tests.support.server import Server
 from tests.support.simulate import add_study, answer_with
+from tests.support.taking_part import SCALES, begin
 
 
 @dataclass
@@ -65,9 +64,7 @@ def prepare(database_url: str, clients: int) -> list[str]:
     with database.writing() as db:
         add_study(db)
     writer = Writer(database)
-    tokens = [
-        writer.write(lambda db: sessions.begin(db, emotion.SLUG, "1")) for _ in range(clients)
-    ]
+    tokens = [writer.write(begin) for _ in range(clients)]
     writer.close()
     engine.dispose()
     return tokens
@@ -85,7 +82,7 @@ async def load(port: int, tokens: list[str], seconds: float, round_: int = 0) ->
 
 async def _client(port: int, token: str, end: float, round_: int, result: Load) -> None:
     reader, writer = await asyncio.open_connection("127.0.0.1", port)
-    values = dict.fromkeys((scale.id for scale in emotion.SCALES), 1)
+    values = dict.fromkeys(SCALES, 1)
     answer = answer_with(values).model_dump(mode="json")
     number = 0
     while time.perf_counter() < end:

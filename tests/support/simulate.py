@@ -58,7 +58,7 @@ def add_study(db: Session) -> StudyDefinition:
     db.commit()
     study = studies.ensure_demonstration(db)
     assert study is not None
-    return studies.definition_of(study)
+    return studies.definition_of(studies.newest(db, study))
 
 
 def take_part(

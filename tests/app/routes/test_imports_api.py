@@ -140,7 +140,7 @@ def test_a_clip_that_a_study_shows_stays(signed_in: Researching, database: Datab
     clip = signed_in.upload("walk.bvh", walk_bvh()).json()["clip"]
     with database.writing() as db:
         shown = {"stimuli": [{"clip": clip["id"]}]}
-        db.add(Study(slug="s", title="S", definition=shown, definition_hash="0" * 64))
+        db.add(Study(slug="s", title="S", draft=shown))
         db.commit()
     refused = signed_in.delete(f"/api/v1/clips/{clip['id']}")
     assert refused.status_code == 409

@@ -9,8 +9,8 @@ from app.persistence.models import Response, StudySession
 from app.services import answers, sessions
 from app.studies import emotion
 from tests.support.simulate import add_study, answer_with
+from tests.support.taking_part import NEUTRAL
 
-NEUTRAL = dict.fromkeys((scale.id for scale in emotion.SCALES), 0)
 WELCOME = f"/studies/{emotion.SLUG}"
 
 

@@ -5,10 +5,8 @@ from sqlalchemy import func, select
 
 from app.persistence.models import Response
 from app.services import sessions
-from app.studies import emotion
 from tests.support.simulate import add_study, answer_with
-
-NEUTRAL = dict.fromkeys((scale.id for scale in emotion.SCALES), 0)
+from tests.support.taking_part import NEUTRAL, begin
 
 
 @pytest.fixture
@@ -20,7 +18,7 @@ def database(client):
 def token(database):
     with database.writing() as db:
         add_study(db)
-        token = sessions.begin(db, emotion.SLUG, "1")
+        token = begin(db)
         db.commit()
     return token
 
@@ -41,14 +39,19 @@ def rows(database):
 
 def test_the_session_tells_all_that_the_page_needs(client, token):
     told = client.get(f"/api/v1/sessions/{token}").json()
-    assert set(told) == {"study", "state", "trials", "responses", "next"}
-    assert set(told["study"]) == {
-        "title", "question", "hint", "scales", "steps", "comment_label", "comment_placeholder",
+    assert set(told) == {"study", "state", "parts", "steps", "responses", "next"}
+    assert set(told["study"]) == {"title", "language", "languages", "back", "preview"}
+    (part,) = told["parts"].values()
+    assert part["kind"] == "semantic_differential"
+    assert {part["scales"][0][name] for name in ("id", "left", "right")} == {
+        "sad_happy", "sad", "happy",
     }  # fmt: skip
-    assert told["study"]["scales"][0] == {"id": "sad_happy", "left": "sad", "right": "happy"}
-    assert told["study"]["steps"] == ["very", "rather", "neither", "rather", "very"]
-    assert set(told["trials"][0]) == {"index", "glb_url", "figure_url", "cyclic"}
-    assert [trial["index"] for trial in told["trials"]] == list(range(22))
+    assert part["steps"] == ["very", "rather", "neither", "rather", "very"]
+    assert set(told["steps"][0]) == {
+        "index", "part", "kind", "figures", "reference", "instruction", "scales",
+    }  # fmt: skip
+    assert set(told["steps"][0]["figures"][0]) == {"glb_url", "figure_url", "cyclic", "caption"}
+    assert [step["index"] for step in told["steps"]] == list(range(22))
     assert (told["state"], told["responses"], told["next"]) == ("active", {}, 0)
 
 
@@ -59,7 +62,7 @@ def test_an_answer_is_acknowledged_with_201_and_the_same_again_with_200_and_the_
     again = post(NEUTRAL | {"sad_happy": -1})
     assert (first.status_code, again.status_code) == (201, 200)
     assert again.json() == first.json()
-    assert set(first.json()) == {"trial_index", "revision", "received_at"}
+    assert set(first.json()) == {"trial_index", "revision", "received_at", "state"}
     assert rows(database) == 1
 
 
@@ -182,7 +185,7 @@ def test_answers_handed_in_at_shutdown_are_stored(settings, built):
         database, writer = app.state.database, app.state.writer
         with database.writing() as db:
             add_study(db)
-        token = writer.write(lambda db: sessions.begin(db, emotion.SLUG, "1"))
+        token = writer.write(begin)
         promises = [
             writer.submit(lambda db, i=i: answers.record(db, token, answer_with(NEUTRAL, i)))
             for i in range(22)

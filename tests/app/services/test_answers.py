@@ -6,18 +6,15 @@ from sqlalchemy import select
 
 from app.errors import ConflictError, InvalidError
 from app.persistence.models import Response
-from app.services import answers, sessions
-from app.studies import emotion
+from app.services import answers
 from tests.support.simulate import STYLES, add_study, answer_with, directly, take_part
-
-SCALES = [scale.id for scale in emotion.SCALES]
-NEUTRAL = dict.fromkeys(SCALES, 0)
+from tests.support.taking_part import NEUTRAL, begin
 
 
 @pytest.fixture
 def token(db):
     add_study(db)
-    return sessions.begin(db, emotion.SLUG, "1")
+    return begin(db)
 
 
 def test_an_answer_is_stored_with_all_that_was_measured(db, token):

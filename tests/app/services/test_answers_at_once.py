@@ -11,10 +11,9 @@ from app.persistence.engine import Database
 from app.persistence.models import Response
 from app.persistence.writer import Writer
 from app.services import answers, sessions
-from app.studies import emotion
 from tests.support.simulate import add_study, answer_with
+from tests.support.taking_part import NEUTRAL, begin
 
-NEUTRAL = dict.fromkeys((scale.id for scale in emotion.SCALES), 0)
 OTHER = NEUTRAL | {"sad_happy": 2}
 
 
@@ -54,7 +53,7 @@ def at_once(writers, *jobs):
 
 
 def test_the_same_answer_twice_at_once_is_stored_once_and_acknowledged_twice(database, writers):
-    token = writers[0].write(partial(sessions.begin, slug=emotion.SLUG, consent_version="1"))
+    token = writers[0].write(begin)
     for index in range(10):
         job = partial(answers.record, token=token, answer=answer_with(NEUTRAL, index))
         (one, first), (other, second) = at_once(writers, job, job)
@@ -65,7 +64,7 @@ def test_the_same_answer_twice_at_once_is_stored_once_and_acknowledged_twice(dat
 
 
 def test_of_two_different_answers_at_once_one_is_stored_and_the_other_is_told(database, writers):
-    token = writers[0].write(partial(sessions.begin, slug=emotion.SLUG, consent_version="1"))
+    token = writers[0].write(begin)
     for index in range(10):
         outcomes = at_once(
             writers,
@@ -81,7 +80,7 @@ def test_of_two_different_answers_at_once_one_is_stored_and_the_other_is_told(da
 
 def test_an_answer_and_a_withdrawal_at_once_leave_no_answer_behind(database, writers):
     for _ in range(10):
-        token = writers[0].write(partial(sessions.begin, slug=emotion.SLUG, consent_version="1"))
+        token = writers[0].write(begin)
         outcomes = at_once(
             writers,
             partial(answers.record, token=token, answer=answer_with(NEUTRAL)),

@@ -6,11 +6,11 @@ from sqlalchemy import select
 
 from app.errors import ConflictError, InvalidError, NotFoundError
 from app.persistence.models import ClipRecord, Response, StudySession, now
-from app.services import answers, results, sessions, studies
+from app.services import answers, results, session_views, sessions, studies
+from app.services.plans import draw_plan
 from app.studies import emotion
 from tests.support.simulate import add_study, answer_with, directly, take_part
-
-NEUTRAL = dict.fromkeys((scale.id for scale in emotion.SCALES), 0)
+from tests.support.taking_part import NEUTRAL, begin
 
 
 @pytest.fixture
@@ -20,7 +20,7 @@ def definition(db):
 
 @pytest.fixture
 def token(db, definition):
-    return sessions.begin(db, emotion.SLUG, "1")
+    return begin(db)
 
 
 def answer_all(db, token):
@@ -28,31 +28,13 @@ def answer_all(db, token):
         answers.record(db, token, answer_with(NEUTRAL, index))
 
 
-def test_two_practice_clips_come_first_and_then_every_clip_once(definition):
-    for seed in range(50):
-        trials = sessions.draw_plan(definition, seed)["trials"]
-        assert [trial["practice"] for trial in trials] == [True] * 2 + [False] * 20
-        practice, rest = trials[:2], trials[2:]
-        assert {t["clip"] for t in rest} == {s.clip for s in definition.stimuli}
-        assert practice[0]["clip"] != practice[1]["clip"]
-
-
 def test_the_order_of_a_seed_never_changes(definition):
     # Written down once: the raw draws of PCG64 are fixed for good, on every platform.
-    places = {stimulus.clip: index for index, stimulus in enumerate(definition.stimuli)}
-    order = [places[trial["clip"]] for trial in sessions.draw_plan(definition, 7)["trials"]]
+    clips = [stimulus.clip for stimulus in definition.trials[0].stimuli]
+    steps = draw_plan(definition, 7, 0, "any")["steps"]
     expected = [6, 3, 17, 12, 4, 3, 19, 1, 13, 15, 0, 11, 16, 6, 10, 9, 5, 2, 8, 14, 18, 7]
-    assert order == expected
-
-
-def test_every_clip_comes_equally_often_at_every_place(definition):
-    places = {stimulus.clip: index for index, stimulus in enumerate(definition.stimuli)}
-    counts = np.zeros((22, 20))
-    for seed in range(2000):
-        for place, trial in enumerate(sessions.draw_plan(definition, seed)["trials"]):
-            counts[place, places[trial["clip"]]] += 1
-    # 100 expected in each of 440 cells; six standard deviations of a binomial count.
-    assert np.abs(counts - 100).max() < 6 * np.sqrt(100 * 0.95)
+    assert [clips.index(step["clips"][0]) for step in steps] == expected
+    assert [step["practice"] for step in steps] == [True] * 2 + [False] * 20
 
 
 def test_the_personal_link_cannot_be_made_from_what_is_stored(db, token):
@@ -66,33 +48,33 @@ def test_the_personal_link_cannot_be_made_from_what_is_stored(db, token):
 
 def test_someone_who_agreed_to_an_older_text_is_asked_again(db, definition):
     with pytest.raises(InvalidError) as caught:
-        sessions.begin(db, emotion.SLUG, "0")
+        begin(db, version="0")
     assert caught.value.code == "consent_changed"
     assert db.scalars(select(StudySession)).all() == []
 
 
 def test_the_page_learns_no_names_and_not_which_clips_are_practice(db, token):
-    shown = sessions.view(db, token).model_dump_json()
+    shown = session_views.view(db, token).model_dump_json()
     names = db.scalars(select(ClipRecord.name)).all()
-    assert len(sessions.view(db, token).trials) == 22
+    assert len(session_views.view(db, token).steps) == 22
     assert "practice" not in shown
     assert not [name for name in names if name in shown]
 
 
 def test_a_reload_goes_on_at_the_first_clip_without_an_answer(db, token):
-    assert sessions.view(db, token).next == 0
+    assert session_views.view(db, token).next == 0
     for index in (0, 1, 3):
         answers.record(db, token, answer_with(NEUTRAL, index))
-    again = sessions.view(db, token)
+    again = session_views.view(db, token)
     assert again.next == 2
     assert sorted(again.responses) == [0, 1, 3]
-    assert again.trials == sessions.view(db, token).trials
+    assert again.steps == session_views.view(db, token).steps
 
 
 def test_the_newest_revision_counts_and_the_older_stays(db, token):
     answers.record(db, token, answer_with(NEUTRAL, 0))
     answers.record(db, token, answer_with(NEUTRAL | {"sad_happy": 2}, 0, revision=2))
-    shown = sessions.view(db, token).responses[0]
+    shown = session_views.view(db, token).responses[0]
     assert (shown.revision, shown.answers["sad_happy"]) == (2, 2)
     rows = db.scalars(select(Response).order_by(Response.revision)).all()
     assert [row.answers["sad_happy"] for row in rows] == [0, 2]
@@ -145,7 +127,7 @@ def test_a_withdrawal_leaves_a_tombstone_without_data(db, token, finished):
     kept = {column.key for column in StudySession.__table__.columns if getattr(row, column.key)}
     assert kept == {"id", "study_id", "token_hash", "state", "withdrawn_at", "created_at"}
     assert row.created_at == row.withdrawn_at
-    assert sessions.view(db, token).trials == []
+    assert session_views.view(db, token).steps == []
 
 
 def test_a_withdrawn_session_refuses_everything_and_withdrawing_again_changes_nothing(db, token):
@@ -164,7 +146,7 @@ def test_a_withdrawn_session_refuses_everything_and_withdrawing_again_changes_no
 
 def test_an_unknown_link_is_said_to_be_unknown(db, definition):
     for asked in (
-        lambda: sessions.view(db, "nobody"),
+        lambda: session_views.view(db, "nobody"),
         lambda: sessions.complete(db, "nobody"),
         lambda: sessions.withdraw(db, "nobody"),
         lambda: answers.record(db, "nobody", answer_with(NEUTRAL)),
@@ -190,10 +172,10 @@ def test_counts_follow_the_participants(db, definition):
 
 
 def test_who_answered_all_but_never_finished_left_at_the_last_clip(db, definition):
-    take_part(directly(db), np.random.default_rng(4), answered=definition.trials)
+    take_part(directly(db), np.random.default_rng(4), answered=22)
     study = studies.find(db, emotion.SLUG)
     later = results.count(db, study, now() + timedelta(minutes=31))
-    assert (later.complete, later.left_at) == (0, [definition.trials])
+    assert (later.complete, later.left_at) == (0, [22])
 
 
 def test_the_median_time_is_that_of_the_complete(db, definition):
@@ -208,17 +190,21 @@ def test_the_median_time_is_that_of_the_complete(db, definition):
     assert results.counts(db, emotion.SLUG).median_seconds == 600
 
 
+def shown(db, study):
+    return studies.definition_of(studies.newest(db, study)).trials[0].stimuli
+
+
 def test_the_demonstration_follows_the_library_only_until_somebody_began(db, definition):
     clip = db.scalars(select(ClipRecord).where(ClipRecord.name == "acted_male_weak")).one()
     clip.state = "retired"
     db.flush()
     study = studies.ensure_demonstration(db)
-    assert len(studies.definition_of(study).stimuli) == 19
-    sessions.begin(db, emotion.SLUG, "1")
+    assert len(shown(db, study)) == 19
+    begin(db)
     clip.state = "kept"
     db.flush()
-    assert studies.ensure_demonstration(db).definition == study.definition
-    assert len(studies.definition_of(study).stimuli) == 19
+    assert studies.ensure_demonstration(db) is study
+    assert len(shown(db, study)) == 19
 
 
 def test_without_a_library_there_is_no_demonstration(db):
