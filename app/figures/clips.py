@@ -1,4 +1,4 @@
-"""Charts of clips on one bipolar axis: shares of the answers, and means with their intervals."""
+"""Charts of clips on one axis: shares of the answers, and means with their intervals."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from app.figures.theme import Mode, Palette
 
 SCHEMA = "https://vega.github.io/schema/vega-lite/v6.json"
 ROW = 24
+MANY_STEPS = 11  # a longer axis has no number at every step
 LABEL_FROM = 0.1  # narrower parts of a bar have no room for their number
 Width = int | Literal["container"]
 
@@ -27,22 +28,37 @@ class ClipOnAxis:
 
 
 @dataclass(frozen=True)
+class Option:
+    """How often a clip was chosen of the times that it was shown, with the interval, in 0 ... 1."""
+
+    label: str
+    share: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
 class AxisWords:
-    """What the axis is called, left pole first, and the words over its steps."""
+    """What the axis is called, left pole first, and the words over its steps.
+
+    Attributes:
+        lowest, highest: its ends as numbers.
+        bipolar: whether zero is the middle, neither the one nor the other.
+    """
 
     left: str
     right: str
     steps: Sequence[str]
-
-    @property
-    def reach(self) -> int:
-        """The value of the outermost step."""
-        return len(self.steps) // 2
+    lowest: float
+    highest: float
+    bipolar: bool = True
 
     @property
     def answers(self) -> list[str]:
         """Each step with its pole, as a legend names it: very sad ... very happy."""
-        half = self.reach
+        if not self.bipolar:
+            return list(self.steps)
+        half = len(self.steps) // 2
         left = [f"{step} {self.left}" for step in self.steps[:half]]
         right = [f"{step} {self.right}" for step in self.steps[half + 1 :]]
         return [*left, self.steps[half], *right]
@@ -51,15 +67,16 @@ class AxisWords:
 def shares(
     clips: Sequence[ClipOnAxis], words: AxisWords, mode: Mode, width: Width = "container"
 ) -> dict[str, Any]:
-    """Diverging stacked bars, the middle step's centre on zero, the leftmost clip on top."""
+    """Stacked bars, the leftmost clip on top; on a bipolar axis the middle's centre is on zero."""
     colours = theme.palette(mode)
-    fills, on_fills = theme.step_colours(colours, len(words.steps))
+    fills, on_fills = theme.step_colours(colours, len(words.steps), bipolar=words.bipolar)
     ordered = sorted(clips, key=lambda clip: clip.mean)
+    start = -1.0 if words.bipolar else 0.0
     bars = {
         "mark": {"type": "bar", "height": ROW - 6},
         "encoding": {
             "x": _position(
-                "from", (-1.0, 1.0), "replace(format(abs(datum.value), '.0%'), '%', ' %')"
+                "from", (start, 1.0), "replace(format(abs(datum.value), '.0%'), '%', ' %')"
             ),
             "x2": {"field": "to"},
             "color": {
@@ -86,14 +103,18 @@ def shares(
     means = {
         "transform": [{"filter": "datum.first"}],
         "mark": {"type": "text", "align": "right", "color": colours.ink_2, "fontSize": 13},
-        "encoding": {"x": {"datum": 1.22}, "text": {"field": "told", "type": "nominal"}},
+        "encoding": {
+            "x": {"datum": 1 + 0.11 * (1 - start)},
+            "text": {"field": "told", "type": "nominal"},
+        },
     }
     spec = _chart(ordered, mode, width, [bars, _zero_line(colours), numbers, means])
     spec["data"] = {"values": [part for clip in ordered for part in _parts(clip, words)]}
     spec["resolve"] = {"scale": {"color": "independent"}}
+    centred = ", centred on the middle step" if words.bipolar else ""
     spec["description"] = (
-        f"Shares of the answers from {words.left} to {words.right} for {len(clips)} clips, "
-        f"centred on the middle step, with each clip's mean."
+        f"Shares of the answers from {words.left} to {words.right} for {len(clips)} clips"
+        f"{centred}, with each clip's mean."
     )
     return spec
 
@@ -101,23 +122,22 @@ def shares(
 def intervals(
     clips: Sequence[ClipOnAxis], words: AxisWords, mode: Mode, width: Width = "container"
 ) -> dict[str, Any]:
-    """Means as dots on their 95 % intervals, coloured by the side on which the interval lies."""
+    """Means as dots on their 95 % intervals.
+
+    On a bipolar axis coloured by the side on which the interval lies.
+    """
     colours = theme.palette(mode)
     ordered = sorted(clips, key=lambda clip: clip.mean)
+    sides = colours.poles if words.bipolar else {"neither": colours.steps[0]}
     side = {
         "field": "side",
         "type": "nominal",
-        "scale": {"domain": list(colours.poles), "range": list(colours.poles.values())},
+        "scale": {"domain": list(sides), "range": list(sides.values())},
         "legend": None,
     }
-    reach = float(words.reach)
-    edges = (
-        f"datum.value === {-reach:g} ? '{words.reach} ' + '{_quoted(words.left)}' : "
-        f"datum.value === {reach:g} ? '{words.reach} ' + '{_quoted(words.right)}' : "
-        "format(abs(datum.value), '~g')"
-    )
-    position = _position("low", (-reach, reach), edges)
-    position["axis"] |= {"values": list(range(-words.reach, words.reach + 1))}
+    position = _position("low", (words.lowest, words.highest), _end_words(words))
+    if words.highest - words.lowest <= MANY_STEPS:
+        position["axis"] |= {"values": list(range(round(words.lowest), round(words.highest) + 1))}
     bars = {
         "mark": {"type": "rule", "strokeWidth": 2.5, "clip": True},
         "encoding": {"x": position, "x2": {"field": "high"}, "color": side},
@@ -126,18 +146,66 @@ def intervals(
         "mark": {"type": "point", "filled": True, "size": 70, "opacity": 1},
         "encoding": {"x": {"field": "mean", "type": "quantitative"}, "color": side},
     }
-    spec = _chart(ordered, mode, width, [_zero_line(colours), bars, dots])
+    line = [_zero_line(colours)] if words.bipolar else []
+    spec = _chart(ordered, mode, width, [*line, bars, dots])
     spec["encoding"]["y"]["axis"] = {"grid": True}
-    spec["data"] = {"values": [_interval(clip) for clip in ordered]}
+    spec["data"] = {"values": [_interval(clip, words) for clip in ordered]}
     spec["description"] = (
-        f"Means of {len(clips)} clips from {words.left} ({-words.reach}) to {words.right} "
-        f"({words.reach}) with t-based 95 % intervals."
+        f"Means of {len(clips)} clips from {words.left} ({words.lowest:g}) to {words.right} "
+        f"({words.highest:g}) with t-based 95 % intervals."
+    )
+    return spec
+
+
+def _end_words(words: AxisWords) -> str:
+    """The axis's labels: numbers, at its ends with the words."""
+    numbers = "abs(datum.value)" if words.bipolar else "datum.value"
+    return (
+        f"datum.value === {words.lowest:g} ? '{abs(words.lowest):g} ' + '{_quoted(words.left)}' : "
+        f"datum.value === {words.highest:g} ? '{words.highest:g} ' + '{_quoted(words.right)}' : "
+        f"format({numbers}, '~g')"
+    )
+
+
+def chosen(
+    options: Sequence[Option], chance: float | None, mode: Mode, width: Width = "container"
+) -> dict[str, Any]:
+    """How often each was chosen: bars with Wilson's 95 % intervals, and a line at mere chance."""
+    colours = theme.palette(mode)
+    position = _position("share", (0.0, 1.0), "replace(format(datum.value, '.0%'), '%', ' %')")
+    bars = {
+        "mark": {"type": "bar", "height": ROW - 10, "color": colours.steps[1]},
+        "encoding": {"x": position},
+    }
+    reaches = {
+        "mark": {"type": "rule", "strokeWidth": 2, "color": colours.ink},
+        "encoding": {
+            "x": {"field": "low", "type": "quantitative"},
+            "x2": {"field": "high"},
+        },
+    }
+    guess = {
+        "data": {"values": [{}]},
+        "mark": {"type": "rule", "color": colours.ink_2, "strokeDash": [4, 3]},
+        "encoding": {"x": {"datum": chance, "type": "quantitative"}, "y": None},
+    }
+    layers = [bars, reaches] if chance is None else [bars, guess, reaches]
+    spec = _chart(options, mode, width, layers)
+    spec["data"] = {
+        "values": [
+            {"clip": one.label, "share": one.share, "low": one.low, "high": one.high}
+            for one in options
+        ]
+    }
+    spec["description"] = (
+        f"Shares of {len(options)} choices with 95 % intervals"
+        f"{'' if chance is None else '; dashed: by chance'}."
     )
     return spec
 
 
 def _chart(
-    ordered: Sequence[ClipOnAxis], mode: Mode, width: Width, layers: list[dict[str, Any]]
+    ordered: Sequence[ClipOnAxis | Option], mode: Mode, width: Width, layers: list[dict[str, Any]]
 ) -> dict[str, Any]:
     return {
         "$schema": SCHEMA,
@@ -178,8 +246,8 @@ def _zero_line(colours: Palette) -> dict[str, Any]:
 
 def _parts(clip: ClipOnAxis, words: AxisWords) -> list[dict[str, Any]]:
     """The parts of one bar; zero lies in the middle of the middle step."""
-    half = words.reach
-    start = -sum(clip.shares[:half]) - clip.shares[half] / 2
+    half = len(words.steps) // 2 if words.bipolar else None
+    start = 0.0 if half is None else -sum(clip.shares[:half]) - clip.shares[half] / 2
     parts = []
     for index, (answer, share) in enumerate(zip(words.answers, clip.shares, strict=True)):
         parts.append(
@@ -193,15 +261,17 @@ def _parts(clip: ClipOnAxis, words: AxisWords) -> list[dict[str, Any]]:
                 "middle": start + share / 2,
                 "first": index == 0,
                 "between": index == half,  # the zero line runs through its number
-                "told": _signed(clip.mean),
+                "told": _signed(clip.mean) if words.bipolar else f"{clip.mean:.2f}",
             }
         )
         start += share
     return parts
 
 
-def _interval(clip: ClipOnAxis) -> dict[str, Any]:
+def _interval(clip: ClipOnAxis, words: AxisWords) -> dict[str, Any]:
     side = "left" if clip.high < 0 else "right" if clip.low > 0 else "neither"
+    if not words.bipolar:
+        side = "neither"
     return {
         "clip": clip.label,
         "mean": clip.mean,

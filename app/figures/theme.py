@@ -89,7 +89,14 @@ def config(mode: Mode) -> dict[str, Any]:
     }
 
 
-def step_colours(colours: Palette, steps: int) -> tuple[list[str], list[str]]:
-    """Fill and text colour of each step; the tokens have five, more steps share by nearness."""
-    nearest = [round(index * (len(colours.steps) - 1) / (steps - 1)) for index in range(steps)]
+def step_colours(
+    colours: Palette, steps: int, *, bipolar: bool = True
+) -> tuple[list[str], list[str]]:
+    """Fill and text colour of each step; the tokens have five, more steps share by nearness.
+
+    Where the axis has one direction only, the colours go from the middle to the right pole's.
+    """
+    first = 0 if bipolar else len(colours.steps) // 2
+    reach = len(colours.steps) - 1 - first
+    nearest = [first + round(index * reach / (steps - 1)) for index in range(steps)]
     return [colours.steps[i] for i in nearest], [colours.on_steps[i] for i in nearest]

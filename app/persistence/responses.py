@@ -5,7 +5,7 @@ from __future__ import annotations
 import uuid
 from collections.abc import Iterable, Iterator
 from datetime import datetime
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 from sqlalchemy import ColumnElement, Row, and_, bindparam, delete, func, insert, null, select
 from sqlalchemy.orm import Session, aliased
@@ -18,8 +18,6 @@ from app.persistence.models import (
     StudySession,
     StudyVersion,
 )
-
-SessionKind = Literal["participant", "simulated"]
 
 
 class Asked(NamedTuple):
@@ -132,7 +130,7 @@ def delete_all(session: Session, session_id: uuid.UUID) -> None:
         session.execute(delete(what).where(what.session_id == session_id))
 
 
-def count(session: Session, study: Study, kind: SessionKind = "participant") -> int:
+def count(session: Session, study: Study, kind: str = "participant") -> int:
     """All stored rows of a study, earlier revisions and practice included."""
     found = (
         select(func.count())
@@ -153,7 +151,7 @@ class Counted(NamedTuple):
 
 
 def analysed(
-    session: Session, study: Study, part: str, kind: SessionKind = "participant"
+    session: Session, study: Study, part: str, kind: str = "participant"
 ) -> list[Counted]:
     """Every answer to a part that counts: complete, not excluded, no practice or check, newest."""
     rows = session.execute(
@@ -175,7 +173,7 @@ def analysed(
 
 
 def stream(
-    session: Session, study: Study, kind: SessionKind = "participant"
+    session: Session, study: Study, kind: str = "participant"
 ) -> Iterator[Row[Response, StudySession, bool]]:
     """Every stored answer with its session and whether a newer revision exists, row by row."""
     yield from session.execute(

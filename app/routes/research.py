@@ -4,25 +4,26 @@ What the templates of `templates/research/` are given:
 
 - `studies.html`: studies, a list of {slug, title, complete, active, withdrawn}; section "studies";
 - `results.html`: results (StudyResults, documented in `app/schemas/results.py`); counts (its
-  counts); charts, name to {"light": Vega-Lite specification, "dark": the same}, two an axis:
-  `shares-<axis>` and `means-<axis>`, none while fewer than `results.needed` are complete; study
-  {slug, title}; section "results". Printed charts: `figures/<name>.svg?mode=light|dark`. The other
-  comparison: `?against=all` (the thesis: all clips of the body) or `others`. Columns whose numbers
-  are None mean "needs five";
+  counts); charts, name to {"light": Vega-Lite specification, "dark": the same}: of each axis
+  `shares-<axis>` and `means-<axis>`, of choices `chosen-<choice>`, none while fewer than
+  `results.needed` are complete; study {slug, title}; role; section "results". Printed charts:
+  `figures/<name>.svg?mode=light|dark`. The other comparison: `?against=all` (the thesis: all clips
+  of the body) or `others`; another part: `?part=<id>`; simulated answers: `?kind=simulated`.
+  Columns whose numbers are None mean "needs five";
 - `counts.html`: counts and study, a fragment that the results page asks for anew while it is open.
 """
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter, Query, Request
 from fastapi.responses import RedirectResponse, Response
 
-from app.dependencies import Reader, Reading, SignedIn
+from app.dependencies import Reading, SignedIn, StudyViewer
 from app.pages import render
 from app.schemas.errors import ErrorResponse
-from app.schemas.results import StudyResults
+from app.schemas.results import SessionKind, StudyResults
 from app.services import charts, studies
 from app.services import results as results_service
 
@@ -31,6 +32,7 @@ api = APIRouter(prefix="/api/v1/studies", tags=["studies"])
 
 Against = Literal["others", "all"]
 Mode = Literal["light", "dark"]
+PartId = Annotated[str, Query(max_length=60)]
 
 
 @router.get("")
@@ -49,29 +51,43 @@ def show_first_results(_: SignedIn, db: Reading) -> Response:
 
 @router.get("/studies/{slug}")
 def show_results(
-    request: Request, _: SignedIn, slug: str, db: Reading, against: Against = "others"
+    request: Request,
+    access: StudyViewer,
+    slug: str,
+    db: Reading,
+    against: Against = "others",
+    part: PartId | None = None,
+    kind: SessionKind = "participant",
 ) -> Response:
-    """The results page."""
-    found = results_service.results(db, slug, against)
+    """The results page of one part."""
+    found = results_service.results(db, slug, against, part, kind)
     return render(
         request, "research/results.html", results=found, counts=found.counts, study=found,
-        charts=charts.page_charts(found), section="results",
+        charts=charts.page_charts(found), role=access.role, section="results",
     )  # fmt: skip
 
 
 @router.get("/studies/{slug}/counts")
-def show_counts(request: Request, _: SignedIn, slug: str, db: Reading) -> Response:
+def show_counts(
+    request: Request, _: StudyViewer, slug: str, db: Reading, kind: SessionKind = "participant"
+) -> Response:
     """The live counts alone."""
-    study = studies.find(db, slug)
-    return render(
-        request, "research/counts.html", counts=results_service.counts(db, slug), study=study
-    )
+    study, counts = studies.find(db, slug), results_service.counts(db, slug, kind)
+    return render(request, "research/counts.html", counts=counts, study=study, kind=kind)
 
 
 @router.get("/studies/{slug}/figures/{name}.svg")
-def show_figure(_: SignedIn, slug: str, name: str, db: Reading, mode: Mode = "light") -> Response:
+def show_figure(
+    _: StudyViewer,
+    slug: str,
+    name: str,
+    db: Reading,
+    mode: Mode = "light",
+    part: PartId | None = None,
+    kind: SessionKind = "participant",
+) -> Response:
     """One chart for print."""
-    found = results_service.results(db, slug)
+    found = results_service.results(db, slug, part=part, kind=kind)
     return Response(charts.printed(found, name, mode), media_type="image/svg+xml")
 
 
@@ -82,6 +98,13 @@ def show_figure(_: SignedIn, slug: str, name: str, db: Reading, mode: Mode = "li
         404: {"model": ErrorResponse, "description": "There is no such study."},
     },
 )
-def read_results(_: Reader, slug: str, db: Reading, against: Against = "others") -> StudyResults:
-    """All numbers of the results page."""
-    return results_service.results(db, slug, against)
+def read_results(
+    _: StudyViewer,
+    slug: str,
+    db: Reading,
+    against: Against = "others",
+    part: PartId | None = None,
+    kind: SessionKind = "participant",
+) -> StudyResults:
+    """All numbers of the results page, of one part; without its name of the first."""
+    return results_service.results(db, slug, against, part, kind)

@@ -1,8 +1,11 @@
-"""A study's results. A number that too few answers stand behind is null."""
+"""A study's results, one part at a time. A number that too few answers stand behind is null."""
 
 from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
+
+# Whose answers are looked at; previews are never stored.
+SessionKind = Literal["participant", "simulated"]
 
 
 class Result(BaseModel):
@@ -16,7 +19,9 @@ class Counts(Result):
 
     Attributes:
         under_way: not complete, with a sign of life (consent or answer) in the last half hour.
-        left_early: not complete, without one; left_at: the clip each stopped at, counted from 1.
+        left_early: not complete, without one; left_at: the step each stopped at, counted from 1.
+        ended: screened out, or ended by failed attention checks.
+        excluded: left out of the results by a researcher, whatever their state.
         answers: rows of the raw answers, practice and earlier revisions included.
         median_seconds: from consent to completion, over the complete.
     """
@@ -25,6 +30,8 @@ class Counts(Result):
     under_way: int
     left_early: int
     left_at: list[int]
+    ended: int
+    excluded: int
     withdrawn: int
     answers: int
     median_seconds: float | None
@@ -40,12 +47,22 @@ class Clip(Result):
     style: str
 
 
+class PartName(Result):
+    """A part that asks about clips: its kind of trial, and what it asks."""
+
+    id: str
+    kind: str
+    question: str
+
+
 class Cell(Result):
     """One clip on one axis.
 
     Attributes:
-        mean: toward the right pole is positive; low, high: t-based 95 % interval.
-        shares: part of the answers at each step from left to right, in 0 ... 1.
+        n: participants.
+        mean: on a bipolar axis, the right pole is positive; low, high: t-based 95 % interval.
+        shares: part of the answers at each step from left to right, in 0 ... 1; null where the
+            answers have no steps.
     """
 
     clip: str
@@ -58,12 +75,52 @@ class Cell(Result):
 
 
 class Axis(Result):
-    """All clips on one axis, in the study's order."""
+    """All clips on one axis, in the study's order.
+
+    Attributes:
+        title: what was asked, in few words.
+        left, right: the words at its ends.
+        bipolar: whether its middle is neither the one nor the other.
+        lowest, highest: the ends as numbers; steps: the words over the steps, none on a slider.
+    """
 
     id: str
+    title: str
     left: str
     right: str
+    bipolar: bool
+    lowest: float
+    highest: float
+    steps: list[str]
     cells: list[Cell]
+    sentence: str
+
+
+class Share(Result):
+    """How often something was chosen of the times that it could be.
+
+    Attributes:
+        name: a clip's label, “none of them”, “no difference”, or the two clips of a pair.
+        clip: null where it is no clip.
+        share, low, high: in 0 ... 1, with Wilson's 95 % interval.
+    """
+
+    name: str
+    clip: str | None
+    chosen: int
+    shown: int
+    share: float | None
+    low: float | None
+    high: float | None
+
+
+class Choices(Result):
+    """What was chosen; of `correct`, how often the choice was right. `chance`: by guessing."""
+
+    id: Literal["choice", "correct"]
+    title: str
+    chance: float | None
+    rows: list[Share]
     sentence: str
 
 
@@ -100,13 +157,18 @@ class PoleRow(Result):
 
 
 class StudyResults(Result):
-    """All of the results page's numbers.
+    """All of the results page's numbers, of one part.
 
     Attributes:
+        study_hash: of the newest version.
         needed: complete participants below which nothing is computed.
-        participants: complete ones, whose answers are analysed.
+        participants: complete ones that saw the part, whose answers are analysed.
         rule: which answers are analysed, in words.
+        kind: whose: people's, or simulated participants'; simulated: how many of those there are.
         against: "others" compares a best clip with the other clips of its body, "all" with all.
+        parts: all parts that ask about clips; part: the one that the numbers are of.
+        axes: what was answered by numbers; choices: by choosing; poles: of bipolar scales alone.
+        texts: how many answers in words there are; they are read in the exports.
     """
 
     slug: str
@@ -115,9 +177,14 @@ class StudyResults(Result):
     needed: int
     participants: int
     rule: str
+    kind: SessionKind
+    simulated: int
     against: Literal["others", "all"]
     counts: Counts
-    steps: list[str]
+    parts: list[PartName]
+    part: PartName
     clips: list[Clip]
     axes: list[Axis]
+    choices: list[Choices]
     poles: list[PoleRow]
+    texts: int

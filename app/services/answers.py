@@ -58,7 +58,7 @@ def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool
         part=step["part"],
         trial_type=_kind(part),
         clip_id=step["clips"][0] if len(step.get("clips", ())) == 1 else None,
-        clips=step.get("clips"),
+        clips=_figures(step),
         practice=step.get("practice", False),
         check=step.get("check"),
         passed=passed,
@@ -148,6 +148,12 @@ def _step(asked: Asked, index: int) -> Step:
             mend="Reload the page.",
         )
     return steps[index]
+
+
+def _figures(step: Step) -> list[str] | None:
+    """The clips as they stood on the page; X comes last, so that it shows who was right."""
+    clips: list[str] | None = step.get("clips")
+    return [*clips, clips[step["x"]]] if clips and "x" in step else clips
 
 
 def _ended(state: str) -> ConflictError:

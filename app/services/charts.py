@@ -1,17 +1,22 @@
-"""A study's charts: results put into the figures' words. Two an axis: `shares-…` and `means-…`."""
+"""A study's charts: results put into the figures' words.
+
+Of each axis `shares-…` (where it has steps) and `means-…`; of choices `chosen-…`.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from app.errors import NotFoundError
 from app.figures import clips as figures
 from app.figures import render
 from app.figures.theme import Mode
-from app.schemas.results import Axis, StudyResults
+from app.schemas.results import Axis, Choices, StudyResults
 
-KINDS = {"shares": figures.shares, "means": figures.intervals}
 PRINT_WIDTH = 620
+Draw = Callable[[Mode, figures.Width], dict[str, Any]]
 
 
 def page_charts(results: StudyResults) -> dict[str, dict[str, Any]]:
@@ -20,10 +25,8 @@ def page_charts(results: StudyResults) -> dict[str, dict[str, Any]]:
     Empty as long as too few participants are complete.
     """
     return {
-        f"{kind}-{axis.id}": {mode: _chart(results, axis, kind, mode) for mode in _MODES}
-        for axis in results.axes
-        for kind in KINDS
-        if _clips(results, axis)
+        name: {mode: draw(mode, "container") for mode in _MODES}
+        for name, draw in _charts(results).items()
     }
 
 
@@ -33,32 +36,58 @@ def printed(results: StudyResults, name: str, mode: Mode) -> str:
     Raises:
         NotFoundError: no such chart, or not yet.
     """
-    kind, _, axis_id = name.partition("-")
-    axis = next((axis for axis in results.axes if axis.id == axis_id), None)
-    if axis is None or kind not in KINDS:
-        raise NotFoundError(
-            f"This study has no chart “{name[:80]}”.",
-            code="figure_not_found",
-            mend="Take one of the charts that the results page links to.",
-        )
-    if not _clips(results, axis):
-        raise NotFoundError(axis.sentence, code="too_few_answers", mend="Wait for more answers.")
-    return render.svg(_chart(results, axis, kind, mode, PRINT_WIDTH))
+    draw = _charts(results).get(name)
+    if draw is not None:
+        return render.svg(draw(mode, PRINT_WIDTH))
+    waiting = {
+        **{f"{kind}-{axis.id}": axis.sentence for axis in results.axes for kind in _OF_AXES},
+        **{f"chosen-{choices.id}": choices.sentence for choices in results.choices},
+    }
+    if name in waiting:
+        raise NotFoundError(waiting[name], code="too_few_answers", mend="Wait for more answers.")
+    raise NotFoundError(
+        f"This study has no chart “{name[:80]}”.",
+        code="figure_not_found",
+        mend="Take one of the charts that the results page links to.",
+    )
 
 
+_OF_AXES = ("shares", "means")
 _MODES: tuple[Mode, Mode] = ("light", "dark")
 
 
-def _chart(
-    results: StudyResults, axis: Axis, kind: str, mode: Mode, width: figures.Width = "container"
-) -> dict[str, Any]:
-    words = figures.AxisWords(axis.left, axis.right, results.steps)
-    return KINDS[kind](_clips(results, axis), words, mode, width)
+def _charts(results: StudyResults) -> dict[str, Draw]:
+    found: dict[str, Draw] = {}
+    for axis in results.axes:
+        if clips := _clips(results, axis):
+            words = _words(axis)
+            if axis.steps:
+                found[f"shares-{axis.id}"] = partial(figures.shares, clips, words)
+            found[f"means-{axis.id}"] = partial(figures.intervals, clips, words)
+    for choices in results.choices:
+        if options := _options(choices):
+            found[f"chosen-{choices.id}"] = partial(figures.chosen, options, choices.chance)
+    return found
+
+
+def _words(axis: Axis) -> figures.AxisWords:
+    return figures.AxisWords(
+        axis.left, axis.right, axis.steps, axis.lowest, axis.highest, axis.bipolar
+    )
 
 
 def _clips(results: StudyResults, axis: Axis) -> list[figures.ClipOnAxis]:
     return [
-        figures.ClipOnAxis(clip.label, cell.mean, cell.low, cell.high, cell.shares)
+        figures.ClipOnAxis(clip.label, cell.mean, cell.low, cell.high, cell.shares or ())
         for clip, cell in zip(results.clips, axis.cells, strict=True)
-        if cell.mean is not None and cell.low is not None and cell.high is not None and cell.shares
+        if cell.mean is not None and cell.low is not None and cell.high is not None
     ]
+
+
+def _options(choices: Choices) -> list[figures.Option]:
+    found = [
+        figures.Option(row.name, row.share, row.low, row.high)
+        for row in choices.rows
+        if row.share is not None and row.low is not None and row.high is not None
+    ]
+    return sorted(found, key=lambda option: -option.share)

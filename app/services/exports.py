@@ -12,11 +12,14 @@ import orjson
 
 from app.persistence import responses
 from app.persistence.engine import Database
-from app.persistence.models import Study
+from app.persistence.models import Study, StudySession
 from app.schemas.codebook import Codebook, Table
-from app.schemas.study import StudyDefinition
-from app.services.export_columns import Row, about_participant, long_fields, wide_columns
-from app.services.studies import definition_of, find
+from app.schemas.results import SessionKind
+from app.services.export_columns import Field, long_fields
+from app.services.export_rows import Row, rows_of
+from app.services.export_wide import Person, WideField, wide_fields
+from app.services.studies import find
+from app.services.versions import Version, published
 
 PIECE = 32_000  # characters, about
 # What spreadsheets take for the beginning of a formula, full-width forms included.
@@ -27,19 +30,33 @@ class Exported(NamedTuple):
     """A study whose answers are asked for.
 
     It is looked up before the first piece is sent, so that a wrong address is still an error page.
+
+    Attributes:
+        versions: all that were published, the newest first.
+        kind: of the sessions whose answers are given: people's, or simulated ones.
     """
 
     database: Database
     study: Study
-    definition: StudyDefinition
+    versions: dict[int, Version]
+    kind: SessionKind
+
+    @property
+    def newest(self) -> Version:
+        """The version that new participants see."""
+        return next(iter(self.versions.values()))
+
+    @property
+    def listed(self) -> list[Version]:
+        """All versions, the newest first."""
+        return list(self.versions.values())
 
     def rows(self) -> Iterator[Row]:
-        """Every stored answer, one participant's together."""
-        stimuli = {stimulus.clip: stimulus for stimulus in self.definition.stimuli}
+        """Every stored answer, one participant's together; one row a figure where each is rated."""
         with self.database.reading() as session:
-            for answer, participant, superseded in responses.stream(session, self.study):
-                shown = stimuli[answer.clip_id]
-                yield Row(self.study, participant, answer, shown, not superseded)
+            for answer, participant, superseded in responses.stream(session, self.study, self.kind):
+                version = self.versions[participant.version_id]
+                yield from rows_of(Row(self.study, version, participant, answer, not superseded))
 
     def by_participant(self) -> Iterator[list[Row]]:
         """The same, a participant at a time."""
@@ -47,59 +64,73 @@ class Exported(NamedTuple):
             yield list(rows)
 
 
-def exported(database: Database, slug: str) -> Exported:
+def exported(database: Database, slug: str, kind: SessionKind = "participant") -> Exported:
     """The study at this address.
 
     Raises:
-        NotFoundError: there is none.
+        NotFoundError: there is none, or it was never published.
     """
     with database.reading() as session:
         study = find(session, slug)
-    return Exported(database, study, definition_of(study))
+        return Exported(database, study, published(session, study), kind)
 
 
-def responses_csv(database: Database, slug: str) -> Iterator[str]:
-    """Every stored answer of a study as CSV text, one row an answer, a piece at a time."""
-    found = exported(database, slug)
-    return csv_pieces(columns(found.definition), map(answer_cells(found.definition), found.rows()))
+def responses_csv(found: Exported) -> Iterator[str]:
+    """Every stored answer of a study as CSV text, a piece at a time."""
+    fields = long_fields(found.listed)
+    return csv_pieces([one.column.name for one in fields], map(cells_of(fields), found.rows()))
 
 
-def wide_csv(database: Database, slug: str) -> Iterator[str]:
+def wide_csv(found: Exported) -> Iterator[str]:
     """One row a participant: of each clip its place in the order and its newest answer."""
-    found = exported(database, slug)
-    heads = columns(found.definition, "wide")
-    return csv_pieces(heads, map(_wide_cells(found.definition), found.by_participant()))
+    fields = wide_fields(found.listed)
+    people = map(Person.of, found.by_participant())
+    return csv_pieces([one.column.name for one in fields], map(cells_of(fields), people))
 
 
-def responses_jsonl(database: Database, slug: str) -> Iterator[bytes]:
+def responses_jsonl(found: Exported) -> Iterator[bytes]:
     """The long table as JSON lines: numbers are numbers, text stands as it was written."""
-    found = exported(database, slug)
-    names = columns(found.definition)
+    fields = long_fields(found.listed)
+    names = [one.column.name for one in fields]
     return _gathered(
         orjson.dumps(dict(zip(names, cells, strict=True)), option=orjson.OPT_APPEND_NEWLINE)
-        for cells in map(answer_cells(found.definition), found.rows())
+        for cells in map(cells_of(fields), found.rows())
     )
 
 
-def codebook(database: Database, slug: str, table: Table = "long") -> Codebook:
+def recruiting_csv(found: Exported) -> Iterator[str]:
+    """Whom a recruiting service sent and what became of them, to pay them; without pseudonyms.
+
+    So the file cannot be joined with the answers; who withdrew is not in it.
+    """
+    with found.database.reading() as session:
+        people = responses.recruited(session, found.study)
+    heads = ["id", "submission", "source", "outcome", "code", "minutes"]
+    return csv_pieces(heads, (_recruited(one) for one in people))
+
+
+def _recruited(person: StudySession) -> list[object]:
+    given = person.external or {}
+    ids = (given.get(name) for name in ("PROLIFIC_PID", "workerId", "id", "invitation"))
+    submissions = (given.get(name) for name in ("SESSION_ID", "assignmentId"))
+    minutes = None
+    if person.completed_at and person.consented_at:
+        minutes = round((person.completed_at - person.consented_at).total_seconds() / 60, 1)
+    return [
+        next(filter(None, ids), None), next(filter(None, submissions), None),
+        person.source, person.state, person.completion_code, minutes,
+    ]  # fmt: skip
+
+
+def codebook(found: Exported, table: Table = "long") -> Codebook:
     """What the columns of a table mean."""
-    return codebook_of(exported(database, slug), table)
-
-
-def codebook_of(found: Exported, table: Table = "long") -> Codebook:
-    """The same, of a study already at hand."""
-    definition = found.definition
-    wide = table == "wide"
+    fields = wide_fields(found.listed) if table == "wide" else long_fields(found.listed)
     return Codebook(
-        study=definition.slug,
-        study_hash=found.study.definition_hash,
-        title=definition.title,
+        study=found.study.slug,
+        study_hash=found.newest.hash,
+        title=str(found.newest.definition.title),
         table=table,
-        columns=tuple(
-            wide_columns(definition)
-            if wide
-            else (field.column for field in long_fields(definition))
-        ),
+        columns=tuple(field.column for field in fields),
     )
 
 
@@ -115,16 +146,9 @@ def codebook_csv(book: Codebook) -> Iterator[str]:
     return csv_pieces(["column", "meaning", "type", "unit", "levels"], rows)
 
 
-def columns(definition: StudyDefinition, table: Table = "long") -> list[str]:
-    """The names of a table's columns."""
-    if table == "wide":
-        return [column.name for column in wide_columns(definition)]
-    return [field.column.name for field in long_fields(definition)]
-
-
-def answer_cells(definition: StudyDefinition) -> Callable[[Row], list[Any]]:
-    """What makes the cells of the long table from an answer."""
-    values = [field.value for field in long_fields(definition)]
+def cells_of(fields: Sequence[Field | WideField]) -> Callable[[Any], list[Any]]:
+    """What makes a row's cells."""
+    values = [field.value for field in fields]
     return lambda row: [value(row) for value in values]
 
 
@@ -156,22 +180,3 @@ def _gathered(lines: Iterable[bytes]) -> Iterator[bytes]:
 def safe(cell: object) -> object:
     """Text that a spreadsheet would take for a formula gets an apostrophe; numbers stay numbers."""
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(DANGEROUS) else cell
-
-
-def _wide_cells(definition: StudyDefinition) -> Callable[[list[Row]], list[Any]]:
-    about = [field.value for field in about_participant()]
-    clips = [stimulus.clip for stimulus in definition.stimuli]
-    scales = [scale.id for scale in definition.scales]
-
-    def cells(rows: list[Row]) -> list[Any]:
-        found = [value(rows[-1]) for value in about]
-        counted = {
-            row.shown.clip: row.answer for row in rows if row.newest and not row.answer.practice
-        }
-        for clip in clips:
-            answer = counted.get(clip)
-            found.append(answer.trial_index if answer else None)
-            found += [answer.answers.get(scale) if answer else None for scale in scales]
-        return found
-
-    return cells

@@ -14,19 +14,16 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import orjson
 
-from app.persistence.engine import Database
 from app.persistence.models import now
 from app.schemas.codebook import Codebook, Column
-from app.schemas.study import StudyDefinition
 from app.services import analysis
+from app.services.export_columns import long_fields
 from app.services.exports import (
     Exported,
-    answer_cells,
+    cells_of,
+    codebook,
     codebook_csv,
-    codebook_of,
-    columns,
     csv_pieces,
-    exported,
 )
 
 if TYPE_CHECKING:
@@ -36,13 +33,15 @@ PIECE = 64_000  # bytes, about
 IGNORED = "analysis/\nmaterials/\ndocumentation/\n"
 README = """# {title}
 
-The answers of a perception study, one CSV file a participant in data/, one row an answer.
-session and trial_index together with revision name a row; of each answer the row with newest = 1
-counts. Participants are known by a pseudonym alone; those who withdrew are not in here.
+The answers of a perception study, one CSV file a participant in data/, one row an answer; where
+each of several figures got a number, one row a figure. session, trial_index, revision and figure
+together name a row; of each answer the rows with newest = 1 count. Participants are known by a
+pseudonym alone; those who withdrew are not in here, those with excluded = 1 were left out of the
+results by a researcher, for the reason beside it.
 
 - dataset_description.json: what every column means
 - documentation/: the same as a table
-- materials/study.json: the study as it was run (SHA-256 {hash})
+- materials/: each version of the study as it was run (the newest has the SHA-256 {hash})
 - analysis/: an R script and a Python notebook that compute means and tests from data/
 
 Before you publish it, add author, license and citation to dataset_description.json, and read the
@@ -54,13 +53,9 @@ CHANGES = """# Changes
 """
 
 
-def dataset_zip(database: Database, slug: str) -> Iterator[bytes]:
-    """The whole dataset as a zip archive, a piece at a time; never more than one file in memory.
-
-    Raises:
-        NotFoundError: there is no such study.
-    """
-    return _zipped(exported(database, slug), now())
+def dataset_zip(found: Exported) -> Iterator[bytes]:
+    """The whole dataset as a zip archive, a piece at a time; never more than one file in memory."""
+    return _zipped(found, now())
 
 
 def _zipped(found: Exported, moment: datetime) -> Iterator[bytes]:
@@ -76,21 +71,23 @@ def _zipped(found: Exported, moment: datetime) -> Iterator[bytes]:
 
 
 def _files(found: Exported, moment: datetime) -> Iterator[tuple[str, str | bytes]]:
-    definition, book = found.definition, codebook_of(found)
+    book = codebook(found)
     yield "dataset_description.json", _json(description(book, moment))
-    yield "README.md", README.format(title=definition.title, hash=found.study.definition_hash)
+    yield "README.md", README.format(title=book.title, hash=book.study_hash)
     yield "CHANGES.md", CHANGES.format(moment=moment)
     yield ".psychdsignore", IGNORED
     yield "documentation/codebook.csv", "".join(codebook_csv(book))
-    yield "materials/study.json", _json(definition.model_dump(mode="json"))
-    yield "analysis/analysis.R", analysis.r_script(definition)
-    yield "analysis/analysis.ipynb", _json(analysis.notebook(definition))
-    yield from _data(found, definition)
+    for version in found.listed:
+        content = version.definition.model_dump(mode="json")
+        yield f"materials/study-version-{version.number}.json", _json(content)
+    yield "analysis/analysis.R", analysis.r_script(found)
+    yield "analysis/analysis.ipynb", _json(analysis.notebook(found))
+    yield from _data(found)
 
 
-def _data(found: Exported, definition: StudyDefinition) -> Iterator[tuple[str, str]]:
-    heads, study = columns(definition), definition.slug.replace("-", "")
-    cells = answer_cells(definition)
+def _data(found: Exported) -> Iterator[tuple[str, str]]:
+    fields, study = long_fields(found.listed), found.study.slug.replace("-", "")
+    heads, cells = [one.column.name for one in fields], cells_of(fields)
     empty = True
     for rows in found.by_participant():
         empty = False
@@ -107,8 +104,8 @@ def description(book: Codebook, moment: datetime) -> dict[str, object]:
         "@type": "Dataset",
         "name": book.title,
         "description": (
-            f"Raw answers to the study “{book.title}”, one row an answer, practice and earlier "
-            "revisions included and marked."
+            f"Raw answers to the study “{book.title}”, one row an answer (or a rated figure), "
+            "practice, checks and earlier revisions included and marked."
         ),
         "schemaVersion": "Psych-DS 1.5.1",
         "version": book.study_hash,

@@ -1,107 +1,114 @@
-"""A study's results: live counts, every clip on every axis, and "Is every emotion seen?".
+"""A study's results: live counts, and of one part every clip on every axis and every choice.
 
-Analysed are the newest answers of complete participants, practice left out. The raw answers hold
-all that is needed to compute every number again.
+Analysed are the newest answers of complete participants, practice and attention checks left out,
+and whom a researcher excluded. The raw answers hold all that is needed to compute every number
+again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from datetime import datetime, timedelta
-from functools import lru_cache
 from statistics import median
 
-import numpy as np
 from sqlalchemy.orm import Session
 
 from app.persistence import responses, sessions
 from app.persistence.models import Study, now
-from app.schemas.results import Axis, Cell, Clip, Counts, PoleRow, StudyResults
-from app.schemas.study import Scale, StudyDefinition
-from app.services import sentences
-from app.services.studies import definition_of, find
-from app.statistics.intervals import Samples, mean_interval, present
-from app.statistics.poles import Against, BestClip, best_clip, chance_of_best
-from app.statistics.tests import holm
+from app.persistence.responses import Counted
+from app.schemas.results import Clip, Counts, PartName, SessionKind, StudyResults
+from app.schemas.study import SemanticDifferential, Stimulus
+from app.services import result_axes, result_choices, result_poles
+from app.services.measures import CHOICES
+from app.services.result_axes import NEEDED
+from app.services.studies import find
+from app.services.versions import Pooled, Version, parts_of, pooled, published
+from app.statistics.poles import Against
 
-NEEDED = 5
 STILL_THERE = timedelta(minutes=30)
-RULE = (
-    "Analysed are complete participants only; of each clip the newest answer; the practice clips "
-    "are left out."
-)
 
 
-def results(db: Session, slug: str, against: Against = "others") -> StudyResults:
+def results(
+    db: Session,
+    slug: str,
+    against: Against = "others",
+    part: str | None = None,
+    kind: SessionKind = "participant",
+) -> StudyResults:
     """All numbers of the results page.
 
     Args:
         db: where to read.
         slug: which study.
         against: whether a best clip is compared with its body's other clips, or with all of them.
+        part: which of the parts that ask about clips; None for the first.
+        kind: whether people's answers are analysed or simulated ones.
+
+    Raises:
+        NotFoundError: there is no such study or part, or nothing is published.
     """
     study = find(db, slug)
-    definition = definition_of(study)
-    ratings = rating_array(db, study, definition)
-    clips = [
-        Clip(id=s.clip, name=s.name, label=s.label, body=s.body, style=s.style)
-        for s in definition.stimuli
-    ]
+    versions = published(db, study)
+    asked = pooled(versions, part)
+    rows = _answers(db, study, asked, kind)
+    clips = [_clip(shown) for shown in asked.stimuli]
+    ratings = result_axes.rating_array(asked, rows)
+    people = len({row.session_id for row in rows})
+    newest = next(iter(versions.values()))
+    bipolar = isinstance(asked.task, SemanticDifferential)
     return StudyResults(
         slug=slug,
-        title=definition.title,
-        study_hash=study.definition_hash,
+        title=str(newest.definition.title),
+        study_hash=newest.hash,
         needed=NEEDED,
-        participants=len(ratings),
-        rule=RULE,
+        participants=people,
+        rule=_rule(asked, len(versions)),
+        kind=kind,
+        simulated=len(sessions.progress(db, study, "simulated")),
         against=against,
-        counts=count(db, study, now()),
-        steps=list(definition.steps),
+        counts=count(db, study, now(), kind),
+        parts=[_name(versions, name) for name in parts_of(versions)],
+        part=_name(versions, asked.part),
         clips=clips,
-        axes=[
-            _axis(scale, clips, ratings[:, :, index], definition.reach)
-            for index, scale in enumerate(definition.scales)
-        ],
-        poles=_poles(definition, clips, ratings, against),
+        axes=result_axes.axes(asked, clips, ratings),
+        choices=result_choices.choices(asked, clips, rows) if asked.task.kind in CHOICES else [],
+        poles=result_poles.poles(asked, clips, ratings, against, newest.hash) if bipolar else [],
+        texts=sum(bool(row.answers.get("text")) for row in rows),
     )
 
 
-def counts(db: Session, slug: str) -> Counts:
+def counts(db: Session, slug: str, kind: SessionKind = "participant") -> Counts:
     """How far the participants are at this moment."""
-    return count(db, find(db, slug), now())
+    return count(db, find(db, slug), now(), kind)
 
 
-def count(db: Session, study: Study, moment: datetime) -> Counts:
+def count(db: Session, study: Study, moment: datetime, kind: SessionKind = "participant") -> Counts:
     """How far the participants were at the given moment, which the half hour is counted from."""
-    every = sessions.progress(db, study)
-    active = [one for one in every if one.state == "active"]
+    every = sessions.progress(db, study, kind)
+    counted = [one for one in every if not one.excluded]
+    active = [one for one in counted if one.state == "active"]
     left = [one for one in active if moment - _last_sign(one) > STILL_THERE]
-    trials = definition_of(study).trials
+    complete = [one for one in counted if one.state == "complete"]
     times = [
         (one.completed_at - one.consented_at).total_seconds()
-        for one in every
+        for one in complete
         if one.completed_at and one.consented_at
     ]
     return Counts(
-        complete=sum(one.state == "complete" for one in every),
+        complete=len(complete),
         under_way=len(active) - len(left),
         left_early=len(left),
-        left_at=sorted(min(one.answered + 1, trials) for one in left),
+        left_at=sorted(one.answered + 1 for one in left),
+        ended=sum(one.state in ("screened_out", "failed_attention") for one in counted),
+        excluded=len(every) - len(counted),
         withdrawn=sum(one.state == "withdrawn" for one in every),
-        answers=responses.count(db, study),
+        answers=responses.count(db, study, kind),
         median_seconds=median(times) if times else None,
     )
 
 
-def rating_array(db: Session, study: Study, definition: StudyDefinition) -> Samples:
-    """The analysed answers, (participants, clips, scales); NaN where one is missing."""
-    rows = responses.analysed(db, study)
-    people = {session: index for index, session in enumerate(dict.fromkeys(r[0] for r in rows))}
-    clips = {stimulus.clip: index for index, stimulus in enumerate(definition.stimuli)}
-    ratings = np.full((len(people), len(clips), len(definition.scales)), np.nan)
-    for session, clip, answers in rows:
-        ratings[people[session], clips[clip]] = [answers[s.id] for s in definition.scales]
-    return ratings
+def _answers(db: Session, study: Study, asked: Pooled, kind: SessionKind) -> list[Counted]:
+    rows = responses.analysed(db, study, asked.part, kind)
+    return [row for row in rows if row.version_id in asked.versions]
 
 
 def _last_sign(progress: sessions.Progress) -> datetime:
@@ -109,112 +116,30 @@ def _last_sign(progress: sessions.Progress) -> datetime:
     return max(times, default=now())
 
 
-def _axis(scale: Scale, clips: Sequence[Clip], ratings: Samples, reach: int) -> Axis:
-    """All clips on one scale; ratings (participants, clips)."""
-    cells = [_cell(clip, ratings[:, index], reach) for index, clip in enumerate(clips)]
-    means = [(cell.mean, clip.label) for cell, clip in zip(cells, clips, strict=True)]
-    known = [(mean, label) for mean, label in means if mean is not None]
-    sentence = _too_few(len(ratings))
-    if known:
-        (low, lowest), (high, highest) = min(known), max(known)
-        sentence = sentences.extremes((scale.left, lowest, low), (scale.right, highest, high))
-    return Axis(id=scale.id, left=scale.left, right=scale.right, cells=cells, sentence=sentence)
+def _clip(shown: Stimulus) -> Clip:
+    name = shown.name or shown.clip or ""
+    return Clip(
+        id=shown.clip or "", name=name, label=str(shown.label or name),
+        body=shown.body or "", style=shown.style or "",
+    )  # fmt: skip
 
 
-def _cell(clip: Clip, values: Samples, reach: int) -> Cell:
-    given = present(values)
-    found = mean_interval(given) if given.size >= NEEDED else None
-    if found is None:
-        return Cell(
-            clip=clip.id, n=given.size, mean=None, sd=None, low=None, high=None, shares=None
-        )
-    return Cell(
-        clip=clip.id,
-        n=found.n,
-        mean=found.mean,
-        sd=found.sd,
-        low=found.low,
-        high=found.high,
-        shares=[float(np.mean(given == step)) for step in range(-reach, reach + 1)],
+def _name(versions: dict[int, Version], part: str) -> PartName:
+    found = next(
+        one for version in versions.values() for one in version.definition.trials if one.id == part
     )
+    return PartName(id=part, kind=found.task.kind, question=str(found.task.question))
 
 
-def _poles(
-    definition: StudyDefinition, clips: Sequence[Clip], ratings: Samples, against: Against
-) -> list[PoleRow]:
-    """Figure 31: two rows a scale, the left pole's first."""
-    enough = len(ratings) >= NEEDED
-    bodies = [clip.body for clip in clips]
-    asked = [
-        (scale, pole, more, sign * ratings[:, :, index])
-        for index, scale in enumerate(definition.scales)
-        for pole, more, sign in (
-            (scale.left, scale.left_more, -1),
-            (scale.right, scale.right_more, 1),
-        )
+def _rule(asked: Pooled, versions: int) -> str:
+    """Which answers are analysed, in words."""
+    told = [
+        "Analysed are complete participants only; of each clip the newest answer; practice clips, "
+        "attention checks and excluded participants are left out."
     ]
-    found = [best_clip(toward, bodies, against) if enough else None for *_, toward in asked]
-    adjusted = holm([best.welch.p if best and best.welch else None for best in found])
-    permuted = [
-        _chance(toward.tobytes(), toward.shape, tuple(bodies), against, definition.content_hash)
-        if best
-        else None
-        for (*_, toward), best in zip(asked, found, strict=True)
-    ]
-    rows = zip(asked, found, adjusted, permuted, holm(permuted), strict=True)
-    return [
-        _pole_row(scale, pole, more, clips[best.clip], best, p_holm, against).model_copy(
-            update={"p_permuted": chance, "p_permuted_holm": chance_holm}
-        )
-        if best
-        else _empty_row(scale, pole)
-        for (scale, pole, more, _), best, p_holm, chance, chance_holm in rows
-    ]
-
-
-@lru_cache(maxsize=256)
-def _chance(
-    toward: bytes, shape: tuple[int, int], bodies: tuple[str, ...], against: Against, study: str
-) -> float | None:
-    """The permutation test, drawn from the study's hash: the same answers give the same p.
-
-    Remembered, for a page that is open asks for the same numbers again and again.
-    """
-    generator = np.random.default_rng(int(study[:16], 16))
-    ratings = np.frombuffer(toward).reshape(shape)
-    return chance_of_best(ratings, bodies, generator, against)
-
-
-def _pole_row(
-    scale: Scale, pole: str, more: str, clip: Clip,
-    best: BestClip, p_holm: float | None, against: Against,
-) -> PoleRow:  # fmt: skip
-    test, effect, pair = best.welch, best.effect, best.paired
-    sentence = None
-    if test and effect and p_holm is not None:
-        sentence = sentences.best_clip(
-            label=clip.label, more=more, against=against, t=test.t, df=test.df, p_holm=p_holm,
-            d=effect.d, low=effect.low, high=effect.high,
-        )  # fmt: skip
-    return _empty_row(scale, pole).model_copy(
-        update={
-            "clip": clip,
-            "mean": best.mean,
-            "others": best.rest_mean,
-            "difference": best.mean - best.rest_mean,
-            "p_holm": p_holm,
-            "sentence": sentence,
-            **({"t": test.t, "df": test.df, "p": test.p} if test else {}),
-            **({"d": effect.d, "d_low": effect.low, "d_high": effect.high} if effect else {}),
-            **({"paired_t": pair.t, "paired_df": pair.df, "paired_p": pair.p} if pair else {}),
-        }
-    )
-
-
-def _empty_row(scale: Scale, pole: str) -> PoleRow:
-    unknown = dict.fromkeys(PoleRow.model_fields)
-    return PoleRow.model_validate({**unknown, "scale": scale.id, "pole": pole})
-
-
-def _too_few(participants: int) -> str:
-    return f"This needs five complete participants; so far there are {participants}."
+    if versions > 1:
+        told.append(f"Versions {', '.join(map(str, sorted(asked.numbers)))} are taken together.")
+    if asked.apart:
+        numbers = ", ".join(map(str, sorted(asked.apart)))
+        told.append(f"Answers to version {numbers}, which asked otherwise, are in the exports.")
+    return " ".join(told)

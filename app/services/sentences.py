@@ -43,3 +43,11 @@ def extremes(left: tuple[str, str, float], right: tuple[str, str, float]) -> str
         f"On average “{leftmost}” was nearest to {left_pole} (M = {number(low)}) and "
         f"“{rightmost}” to {right_pole} (M = {number(high)})."
     )
+
+
+def most_chosen(name: str, how: str, chosen: int, shown: int, low: float, high: float) -> str:
+    """What stood out among choices; low and high are Wilson's 95 % interval, in 0 ... 1."""
+    return (
+        f"“{name}” was {how}: in {chosen} of {shown} trials, {100 * chosen / shown:.0f} % "
+        f"(95 % CI {100 * low:.0f} to {100 * high:.0f} %)."
+    )

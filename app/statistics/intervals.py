@@ -94,3 +94,27 @@ def _noncentrality(t: float, df: int, probability: float) -> float:
             below = float(middle < t)
         low, high = (middle, high) if below > probability else (low, middle)
     return (low + high) / 2
+
+
+@dataclass(frozen=True)
+class Proportion:
+    """A share of `n` cases, in 0 ... 1, with its two-sided interval."""
+
+    share: float
+    low: float
+    high: float
+    n: int
+
+
+def wilson(successes: int, n: int, confidence: float = 0.95) -> Proportion | None:
+    """A share with Wilson's score interval (Wilson 1927); None without a case.
+
+    Unlike the usual interval it stays within 0 ... 1 and holds its promise near the ends.
+    """
+    if n == 0:
+        return None
+    share = successes / n
+    z = float(special.ndtri((1 + confidence) / 2))
+    shrunk = (share + z * z / (2 * n)) / (1 + z * z / n)
+    reach = z / (1 + z * z / n) * sqrt(share * (1 - share) / n + (z / (2 * n)) ** 2)
+    return Proportion(share, max(0.0, shrunk - reach), min(1.0, shrunk + reach), n)

@@ -17,8 +17,9 @@ from sqlalchemy.orm import Session
 
 from app.persistence.models import Blob, ClipRecord, FigureRecord
 from app.schemas.sessions import Answer, ViewingRecord, Viewport
-from app.schemas.study import Stimulus, StudyDefinition
+from app.schemas.study import SemanticDifferential, Stimulus, StudyDefinition, Trials
 from app.services import answers, sessions, studies
+from app.services.plans import planned_steps
 from app.studies import emotion
 
 Write = Callable[[Callable[[Session], Any]], Any]
@@ -61,6 +62,13 @@ def add_study(db: Session) -> StudyDefinition:
     return studies.definition_of(studies.newest(db, study))
 
 
+def begin(write: Write, slug: str = emotion.SLUG, **beginning: Any) -> str:
+    """Somebody agrees and begins; gives the personal token."""
+    start = sessions.Beginning(**{"consent_version": "1", **beginning})
+    token: str = write(partial(sessions.begin, slug=slug, beginning=start))
+    return token
+
+
 def take_part(
     write: Write,
     generator: np.random.Generator,
@@ -70,14 +78,12 @@ def take_part(
     complete: bool = True,
 ) -> str:
     """One simulated participant, who may stop after some answers; gives the personal token."""
-    token = write(partial(sessions.begin, slug=slug, consent_version="1"))
-    definition, trials = write(partial(_plan, token=token))
+    token = begin(write, slug)
+    part, clips = write(partial(_plan, token=token))
     # Drawn clip by clip in the study's order, so that the sessions' own order changes no answer.
-    bias = generator.normal(0, 0.25, len(definition.scales))
-    drawn = {
-        shown.clip: _answer(definition, shown, bias, generator) for shown in definition.stimuli
-    }
-    for index, clip in enumerate(trials[:answered]):
+    bias = generator.normal(0, 0.25, len(part.task.scales))
+    drawn = {shown.clip: _answer(part.task, shown, bias, generator) for shown in part.stimuli}
+    for index, clip in enumerate(clips[:answered]):
         answer = drawn[clip].model_copy(update={"trial_index": index})
         write(partial(answers.record, token=token, answer=answer))
     if complete and answered is None:
@@ -92,7 +98,7 @@ def simulate(write: Write, participants: int, seed: int = 1, slug: str = emotion
 
 
 def answer_with(
-    values: dict[str, int], trial_index: int = 0, revision: int = 1, **changes: Any
+    values: dict[str, Any], trial_index: int = 0, revision: int = 1, **changes: Any
 ) -> Answer:
     """An answer that a page might send."""
     given = {
@@ -113,20 +119,20 @@ def answer_with(
     return Answer.model_validate({**given, **changes})
 
 
-def _plan(db: Session, token: str) -> tuple[StudyDefinition, list[str]]:
+def _plan(db: Session, token: str) -> tuple[Trials, list[str]]:
     session = sessions.open_session(db, token)
-    clips = [trial["clip"] for trial in sessions.planned_trials(session.plan)]
-    return studies.definition_of(session.study), clips
+    (part,) = studies.definition_of(session.version).trials
+    return part, [step["clips"][0] for step in planned_steps(session.plan)]
 
 
 def _answer(
-    definition: StudyDefinition, shown: Stimulus, bias: np.ndarray, generator: np.random.Generator
+    task: SemanticDifferential, shown: Stimulus, bias: np.ndarray, generator: np.random.Generator
 ) -> Answer:
-    latent = np.array(EFFECTS.get(shown.style, np.zeros(6))) + bias
-    latent[-1] += BODY_EFFECTS.get(shown.body, 0.0)
+    latent = np.array(EFFECTS.get(shown.style or "", np.zeros(6))) + bias
+    latent[-1] += BODY_EFFECTS.get(shown.body or "", 0.0)
     noisy = latent + generator.normal(0, 0.8, latent.size)
-    steps = np.clip(np.rint(noisy), -definition.reach, definition.reach)
-    values = {scale.id: int(step) for scale, step in zip(definition.scales, steps, strict=True)}
+    steps = np.clip(np.rint(noisy), -task.reach, task.reach)
+    values = {scale.id: int(step) for scale, step in zip(task.scales, steps, strict=True)}
     touched = [scale for scale, value in values.items() if value or generator.random() < 0.5]
     viewing = float(generator.uniform(3000, 9000))
     return answer_with(values, touched=touched, rt_ms=viewing + 900)

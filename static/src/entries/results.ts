@@ -1,6 +1,7 @@
 import "../styles/results.css";
 import "../styles/downloads.css";
 import "../results/axis_charts";
+import "../results/still_chart";
 import { copyButtons } from "../results/copy";
 import { closingMenu } from "../results/menu";
 import { followCounts } from "../results/live_counts";

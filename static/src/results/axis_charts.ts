@@ -3,7 +3,7 @@ import { html, LitElement, nothing, type PropertyValues, type TemplateResult } f
 import { customElement, property, state } from "lit/decorators.js";
 import type { components } from "../api-types";
 import { icon } from "../icons";
-import { darkMode, draw, type Spec } from "./chart";
+import { darkMode, dataOf, draw, type Spec } from "./chart";
 import { italics } from "./pole_table";
 import { interval, number, percent } from "./words";
 
@@ -11,7 +11,7 @@ type StudyResults = components["schemas"]["StudyResults"];
 type Axis = components["schemas"]["Axis"];
 
 const KINDS = ["shares", "means"] as const;
-type Charts = Record<string, { light: Spec; dark: Spec }>;
+export type Charts = Record<string, { light: Spec; dark: Spec }>;
 
 @customElement("axis-charts")
 export class AxisCharts extends LitElement {
@@ -62,14 +62,17 @@ export class AxisCharts extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const { left, right, sentence } = this.axis;
+    const { left, right, title, sentence, steps, bipolar, lowest, highest } = this.axis;
+    const range = `${number(lowest, 0)} to ${number(highest, 0)}`;
     return html`${this.axisSwitch()}
       <div class="columns charts">
-        <figure><figcaption><h3 class="figure-title">How ${left} or ${right} each clip looked</h3>
-          <p class="small quiet">Share of ${this.results.participants} participants at each step, centred on the middle. Number: mean, −2 to 2.</p></figcaption>
-          <div class="chart" data-chart="shares" role="img" aria-label="Shares of the answers, ${left} to ${right}; the numbers are in the table below"></div></figure>
-        <figure><figcaption><h3 class="figure-title">Mean and 95 % interval</h3>
-          <p class="small quiet">Coloured where the interval lies on one side of the middle.</p></figcaption>
+        ${steps.length
+          ? html`<figure><figcaption><h3 class="figure-title">${bipolar ? `How ${left} or ${right} each clip looked` : title}</h3>
+          <p class="small quiet">Share of ${this.results.participants} participants at each step${bipolar ? ", centred on the middle" : ""}. Number: mean, ${range}.</p></figcaption>
+          <div class="chart" data-chart="shares" role="img" aria-label="Shares of the answers, ${left} to ${right}; the numbers are in the table below"></div></figure>`
+          : nothing}
+        <figure><figcaption><h3 class="figure-title">${steps.length ? "Mean and 95 % interval" : `${title}: mean and 95 % interval`}</h3>
+          <p class="small quiet">${bipolar ? "Coloured where the interval lies on one side of the middle." : `From ${range}, ${this.results.participants} participants.`}</p></figcaption>
           <div class="chart" data-chart="means" role="img" aria-label="Means with 95 % intervals, ${left} to ${right}; the numbers are in the table below"></div></figure>
       </div>
       <p class="sentence">${italics(sentence)}</p>
@@ -77,19 +80,21 @@ export class AxisCharts extends LitElement {
       ${this.showNumbers ? this.numbers() : nothing}`;
   }
 
-  private axisSwitch(): TemplateResult {
+  private axisSwitch(): TemplateResult | typeof nothing {
+    if (this.results.axes.length < 2) return nothing;
     return html`<div class="chips axis-switch" role="group" aria-label="Axis">
       ${this.results.axes.map(
-        ({ left, right }, index) => html`<button class="chip" aria-pressed=${index === this.chosen}
-          @click=${() => (this.chosen = index)}>${left} – ${right}</button>`,
+        ({ title }, index) => html`<button class="chip" aria-pressed=${index === this.chosen}
+          @click=${() => (this.chosen = index)}>${title}</button>`,
       )}
     </div>`;
   }
 
   private numbers(): TemplateResult {
-    const { steps, clips } = this.results;
-    const { left, right, cells } = this.axis;
-    const heads = steps.map((step, index) => `${step} ${index < steps.length >> 1 ? left : index > steps.length >> 1 ? right : ""}`);
+    const { clips } = this.results;
+    const { left, right, steps, bipolar, cells } = this.axis;
+    const half = steps.length >> 1;
+    const heads = steps.map((step, index) => (bipolar ? `${step} ${index < half ? left : index > half ? right : ""}` : step));
     return html`<div class="table-scroll" tabindex="0" role="region" aria-label="Numbers, ${left} to ${right}">
       <table><thead><tr><th scope="col">Clip</th><th class="number" scope="col"><em>n</em></th>
         <th class="number" scope="col"><em>M</em></th><th class="number" scope="col"><em>SD</em></th>
@@ -102,8 +107,4 @@ export class AxisCharts extends LitElement {
           ${steps.map((_, step) => html`<td class="number">${cell.shares ? percent(cell.shares[step] ?? 0) : "–"}</td>`)}</tr>`,
       )}</tbody></table></div>`;
   }
-}
-
-function dataOf<T>(id: string): T {
-  return JSON.parse(document.getElementById(id)?.textContent ?? "null") as T;
 }

@@ -35,3 +35,8 @@ export function withFont(spec: Spec, font: string): Spec {
 
 /** Whether the system asks for dark pages; fires `change` when it asks for the other. */
 export const darkMode = (): MediaQueryList => matchMedia("(prefers-color-scheme: dark)");
+
+/** What the page keeps as JSON in the element of this id. */
+export function dataOf<T>(id: string): T {
+  return JSON.parse(document.getElementById(id)?.textContent ?? "null") as T;
+}
