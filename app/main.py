@@ -18,6 +18,7 @@ from app.persistence.engine import Database, make_engine
 from app.persistence.writer import Writer
 from app.routes import (
     batches,
+    builder,
     catalogue,
     edits,
     exports,
@@ -33,6 +34,7 @@ from app.routes import (
     research_auth,
     sessions_api,
     sets,
+    studies_api,
     studio,
 )
 from app.schemas.errors import ERRORS
@@ -65,8 +67,11 @@ ROUTERS = (
     research_auth.router,
     participant.router,
     sessions_api.router,
+    builder.router,
     research.router,
     research.api,
+    studies_api.api,
+    studies_api.templates,
     exports.router,
     keys.router,
     batches.router,

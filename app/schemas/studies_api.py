@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Any, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from app.schemas.live import Role
 from app.schemas.study import Running
 
 State = Literal["draft", "open", "paused", "closed"]
-Role = Literal["owner", "editor", "viewer"]
 
 
 class StudyCounts(BaseModel):
@@ -79,7 +79,7 @@ class VersionLine(BaseModel):
     sessions: int
 
 
-class StudyView(BaseModel):
+class StudyDetail(BaseModel):
     """A study with everything that its makers work on.
 
     Attributes:
@@ -176,10 +176,18 @@ class TemplateList(BaseModel):
 
 
 class InvitationRequest(BaseModel):
-    """How many personal links are wanted, or for whom."""
+    """For whom personal links are wanted, or how many.
+
+    Attributes:
+        labels: own names for the participants, one link each; the same name gives the same link.
+        count: how many links with new names, where no labels are given.
+    """
 
     model_config = ConfigDict(extra="forbid", json_schema_extra={"example": {"count": 20}})
 
+    labels: list[Annotated[str, Field(min_length=1, max_length=64)]] = Field(
+        default=[], max_length=1000
+    )
     count: int = Field(default=1, ge=1, le=1000)
 
 

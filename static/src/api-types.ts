@@ -486,7 +486,7 @@ export interface paths {
         };
         /**
          * Show Session
-         * @description The study, this participant's trials in order, the answers so far and where to go on.
+         * @description The study, this participant's steps in order, the answers so far and where to go on.
          */
         get: operations["show_session"];
         put?: never;
@@ -528,7 +528,7 @@ export interface paths {
         put?: never;
         /**
          * Complete
-         * @description Close the session once every clip has an answer, and give the completion code.
+         * @description Close the session once every step has an answer, and give the completion code.
          */
         post: operations["complete"];
         delete?: never;
@@ -546,9 +546,268 @@ export interface paths {
         };
         /**
          * Read Results
-         * @description All numbers of the results page.
+         * @description All numbers of the results page, of one part; without its name of the first.
          */
         get: operations["read_results"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Studies
+         * @description Every study that the caller may see, with its state and counts.
+         */
+        get: operations["list_studies"];
+        put?: never;
+        /**
+         * Create Study
+         * @description Make a study: from a template, a definition, a study file, or with nothing in it.
+         *
+         *     It begins as a draft that only its members see. Its address is the definition's `slug`, with a
+         *     number added where that is taken.
+         */
+        post: operations["create_study"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Show Study
+         * @description A study: its draft and what is wrong with it, its versions, and how it is run.
+         */
+        get: operations["show_study"];
+        put?: never;
+        post?: never;
+        /**
+         * Delete Study
+         * @description Delete a study that was never published.
+         */
+        delete: operations["delete_study"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Save Draft
+         * @description Keep a draft, whatever is still wrong with it; the answer tells what is.
+         *
+         *     With `seen`, a draft that somebody else saved since then is not written over.
+         */
+        put: operations["save_draft"];
+        post?: never;
+        /**
+         * Discard Draft
+         * @description Go back to the newest version.
+         */
+        delete: operations["discard_draft"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/changes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Show Changes
+         * @description What publishing the draft would change, in sentences, and the hash that it would have.
+         */
+        get: operations["show_changes"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/publish": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Publish Study
+         * @description Freeze the draft as the next version, which new participants see from then on.
+         *
+         *     A draft without changes makes no version. The first version opens the study.
+         */
+        post: operations["publish_study"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/running": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Change Running
+         * @description Change who may come and when, and where participants go at the end.
+         */
+        put: operations["change_running"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/state": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Change State
+         * @description Open, pause or close a study. Who has begun can go on.
+         */
+        post: operations["change_state"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/duplicate": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Duplicate Study
+         * @description Make another study with the same content, owned by the caller.
+         */
+        post: operations["duplicate_study"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/invitations": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Make Invitations
+         * @description Make personal links, one participant each. The same label gives the same link again.
+         */
+        post: operations["make_invitations"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Study File
+         * @description A version as a study file; without a number, what is being edited.
+         */
+        get: operations["download_study_file"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Preview Study
+         * @description A participant's whole way through what is being edited. Nothing is stored or counted.
+         */
+        get: operations["preview_study"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/study-templates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Study Templates
+         * @description The studies that come with the server to begin with.
+         */
+        get: operations["list_study_templates"];
         put?: never;
         post?: never;
         delete?: never;
@@ -670,12 +929,13 @@ export interface components {
     schemas: {
         /**
          * Answer
-         * @description One judged clip, as the page sends it.
+         * @description The answer to one step, as the page sends it; a page without a question sends none.
          *
          *     Attributes:
          *         revision: 1 for the first answer, one more for each change after going back.
-         *         answers: scale id to step, 0 in the middle.
-         *         touched: the scales that were set by hand; the others kept the preselected middle.
+         *         answers: what was chosen; `app.schemas.study.tasks` says what for each kind of trial. A form
+         *             sends each field's text, number, option or list of options.
+         *         touched: what was set by hand; the others kept what was preselected.
          *         rt_ms: from the trial's start to the answer; time_elapsed_ms: from the session page's.
          *         client_time: the browser's clock.
          */
@@ -686,7 +946,7 @@ export interface components {
             revision: number;
             /** Answers */
             answers: {
-                [key: string]: number;
+                [key: string]: number | string | string[];
             };
             /** Touched */
             touched: string[];
@@ -709,6 +969,9 @@ export interface components {
         /**
          * AnswerReceipt
          * @description The answer is durably stored.
+         *
+         *     Attributes:
+         *         state: no longer `active` where the answer has ended the study: the page goes to its thanks.
          */
         AnswerReceipt: {
             /** Trial Index */
@@ -720,18 +983,40 @@ export interface components {
              * Format: date-time
              */
             received_at: string;
+            /**
+             * State
+             * @default active
+             * @enum {string}
+             */
+            state: "active" | "complete" | "screened_out" | "failed_attention" | "withdrawn";
         };
         /**
          * Axis
          * @description All clips on one axis, in the study's order.
+         *
+         *     Attributes:
+         *         title: what was asked, in few words.
+         *         left, right: the words at its ends.
+         *         bipolar: whether its middle is neither the one nor the other.
+         *         lowest, highest: the ends as numbers; steps: the words over the steps, none on a slider.
          */
         Axis: {
             /** Id */
             id: string;
+            /** Title */
+            title: string;
             /** Left */
             left: string;
             /** Right */
             right: string;
+            /** Bipolar */
+            bipolar: boolean;
+            /** Lowest */
+            lowest: number;
+            /** Highest */
+            highest: number;
+            /** Steps */
+            steps: string[];
             /** Cells */
             cells: components["schemas"]["Cell"][];
             /** Sentence */
@@ -787,8 +1072,10 @@ export interface components {
          * @description One clip on one axis.
          *
          *     Attributes:
-         *         mean: toward the right pole is positive; low, high: t-based 95 % interval.
-         *         shares: part of the answers at each step from left to right, in 0 ... 1.
+         *         n: participants.
+         *         mean: on a bipolar axis, the right pole is positive; low, high: t-based 95 % interval.
+         *         shares: part of the answers at each step from left to right, in 0 ... 1; null where the
+         *             answers have no steps.
          */
         Cell: {
             /** Clip */
@@ -805,6 +1092,24 @@ export interface components {
             high: number | null;
             /** Shares */
             shares: number[] | null;
+        };
+        /**
+         * Changes
+         * @description What publishing would change.
+         *
+         *     Attributes:
+         *         number, hash: those of the version that it would make.
+         *         same: nothing is new, and no version would be made.
+         */
+        Changes: {
+            /** Number */
+            number: number;
+            /** Hash */
+            hash: string;
+            /** Same */
+            same: boolean;
+            /** Changes */
+            changes: string[];
         };
         /**
          * Checked
@@ -848,6 +1153,25 @@ export interface components {
             tags: {
                 [key: string]: string;
             };
+        };
+        /**
+         * Choices
+         * @description What was chosen; of `correct`, how often the choice was right. `chance`: by guessing.
+         */
+        Choices: {
+            /**
+             * Id
+             * @enum {string}
+             */
+            id: "choice" | "correct";
+            /** Title */
+            title: string;
+            /** Chance */
+            chance: number | null;
+            /** Rows */
+            rows: components["schemas"]["Share"][];
+            /** Sentence */
+            sentence: string;
         };
         /**
          * Clip
@@ -1164,7 +1488,9 @@ export interface components {
          *
          *     Attributes:
          *         under_way: not complete, with a sign of life (consent or answer) in the last half hour.
-         *         left_early: not complete, without one; left_at: the clip each stopped at, counted from 1.
+         *         left_early: not complete, without one; left_at: the step each stopped at, counted from 1.
+         *         ended: screened out, or ended by failed attention checks.
+         *         excluded: left out of the results by a researcher, whatever their state.
          *         answers: rows of the raw answers, practice and earlier revisions included.
          *         median_seconds: from consent to completion, over the complete.
          */
@@ -1177,6 +1503,10 @@ export interface components {
             left_early: number;
             /** Left At */
             left_at: number[];
+            /** Ended */
+            ended: number;
+            /** Excluded */
+            excluded: number;
             /** Withdrawn */
             withdrawn: number;
             /** Answers */
@@ -1263,6 +1593,20 @@ export interface components {
          */
         ErrorResponse: {
             error: components["schemas"]["ErrorDetail"];
+        };
+        /**
+         * FigureView
+         * @description A moving figure. Addresses are content hashes: they do not give the clip's name away.
+         */
+        FigureView: {
+            /** Glb Url */
+            glb_url: string;
+            /** Figure Url */
+            figure_url: string | null;
+            /** Cyclic */
+            cyclic: boolean;
+            /** Caption */
+            caption?: string | null;
         };
         /**
          * Finding
@@ -1604,6 +1948,47 @@ export interface components {
             already_there: boolean;
         };
         /**
+         * Invitation
+         * @description A personal link: one participant each.
+         */
+        Invitation: {
+            /** Label */
+            label: string;
+            /** Url */
+            url: string;
+        };
+        /**
+         * InvitationList
+         * @description Personal links, in the order of their labels.
+         */
+        InvitationList: {
+            /** Invitations */
+            invitations: components["schemas"]["Invitation"][];
+        };
+        /**
+         * InvitationRequest
+         * @description For whom personal links are wanted, or how many.
+         *
+         *     Attributes:
+         *         labels: own names for the participants, one link each; the same name gives the same link.
+         *         count: how many links with new names, where no labels are given.
+         * @example {
+         *       "count": 20
+         *     }
+         */
+        InvitationRequest: {
+            /**
+             * Labels
+             * @default []
+             */
+            labels: string[];
+            /**
+             * Count
+             * @default 1
+             */
+            count: number;
+        };
+        /**
          * JobDetail
          * @description A job with what became of each clip.
          * @example {
@@ -1736,6 +2121,27 @@ export interface components {
             } | null;
         };
         /**
+         * LanguageView
+         * @description A language that the study can be taken in, in its own words.
+         */
+        LanguageView: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+        };
+        /**
+         * MTurk
+         * @description Participants come with workerId and assignmentId; a code is shown for them to hand in.
+         */
+        MTurk: {
+            /**
+             * Sandbox
+             * @default false
+             */
+            sandbox: boolean;
+        };
+        /**
          * Manner
          * @description How a character moves: path length and timing as in the grid, amounts of postures.
          * @example {
@@ -1801,6 +2207,29 @@ export interface components {
             ][][];
         };
         /**
+         * NewStudy
+         * @description What a new study is made from: a template, a definition, or a study file; else it is empty.
+         *
+         *     Attributes:
+         *         template: id of one of the templates.
+         *         definition: a study file's content; it need not be complete.
+         *         title: in the place of the template's own.
+         * @example {
+         *       "title": "Gaits"
+         *     }
+         */
+        NewStudy: {
+            /** Template */
+            template?: string | null;
+            /** Definition */
+            definition?: {
+                [key: string]: unknown;
+            } | null;
+            file?: components["schemas"]["UploadedFile"] | null;
+            /** Title */
+            title?: string | null;
+        };
+        /**
          * Note
          * @description One line of an import report: what was repaired, or what a person should confirm.
          * @example {
@@ -1864,6 +2293,18 @@ export interface components {
             parameters: {
                 [key: string]: unknown;
             };
+        };
+        /**
+         * PartName
+         * @description A part that asks about clips: its kind of trial, and what it asks.
+         */
+        PartName: {
+            /** Id */
+            id: string;
+            /** Kind */
+            kind: string;
+            /** Question */
+            question: string;
         };
         /**
          * Piece
@@ -2212,6 +2653,40 @@ export interface components {
             operations: components["schemas"]["Step"][];
         };
         /**
+         * Problem
+         * @description What stands in the way of publishing, where in the study file, and the mend.
+         * @example {
+         *       "mend": "Write something here.",
+         *       "message": "This is empty.",
+         *       "where": [
+         *         "parts",
+         *         0,
+         *         "task",
+         *         "question"
+         *       ]
+         *     }
+         */
+        Problem: {
+            /** Where */
+            where: (string | number)[];
+            /** Message */
+            message: string;
+            /** Mend */
+            mend?: string | null;
+        };
+        /**
+         * Prolific
+         * @description Participants come with PROLIFIC_PID, STUDY_ID and SESSION_ID, and go back with a code.
+         */
+        Prolific: {
+            /** Complete */
+            complete: string;
+            /** Screened Out */
+            screened_out?: string | null;
+            /** Failed Attention */
+            failed_attention?: string | null;
+        };
+        /**
          * Provenance
          * @description What an edited clip is made of.
          *
@@ -2279,14 +2754,14 @@ export interface components {
         };
         /**
          * ResponseView
-         * @description The newest stored answer of a trial.
+         * @description The newest stored answer of a step.
          */
         ResponseView: {
             /** Revision */
             revision: number;
             /** Answers */
             answers: {
-                [key: string]: number;
+                [key: string]: unknown;
             };
             /** Touched */
             touched: string[];
@@ -2294,22 +2769,71 @@ export interface components {
             comment: string;
         };
         /**
-         * ScaleView
-         * @description A bipolar axis as it is asked.
+         * Running
+         * @description How a study is run.
+         *
+         *     Attributes:
+         *         open_link: whoever has the study's address may take part; else only personal links and
+         *             recruiting services lead in.
+         *         quota: how many may complete it; None means any number.
+         *         opens_at, closes_at: when new participants may begin.
+         *         lease_minutes: without an answer for so long, a participant's slot goes to another; coming
+         *             back on the personal link stays possible.
+         *         resume_days: for so long after the beginning the personal link can be gone on with.
+         *         retention_days: so long after the last answer, everything personal is deleted; None: never.
+         *         fail_after: so many failed attention checks end the study for a participant; None: none do.
          */
-        ScaleView: {
-            /** Id */
-            id: string;
-            /** Left */
-            left: string;
-            /** Right */
-            right: string;
+        Running: {
+            /**
+             * Open Link
+             * @default true
+             */
+            open_link: boolean;
+            /** Quota */
+            quota?: number | null;
+            /** Opens At */
+            opens_at?: string | null;
+            /** Closes At */
+            closes_at?: string | null;
+            /**
+             * Lease Minutes
+             * @default 60
+             */
+            lease_minutes: number;
+            /**
+             * Resume Days
+             * @default 30
+             */
+            resume_days: number;
+            /** Retention Days */
+            retention_days?: number | null;
+            /** Fail After */
+            fail_after?: number | null;
+            prolific?: components["schemas"]["Prolific"] | null;
+            sona?: components["schemas"]["Sona"] | null;
+            mturk?: components["schemas"]["MTurk"] | null;
+        };
+        /**
+         * SavedDraft
+         * @description A draft that was saved, and what stands in the way of publishing it.
+         */
+        SavedDraft: {
+            /**
+             * Saved At
+             * Format: date-time
+             */
+            saved_at: string;
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
         };
         /**
          * SessionView
-         * @description A session as its page needs it; `next` is the first trial without an answer, or their number.
+         * @description A session as its page needs it; `next` is the first step without an answer, or their number.
          *
-         *     The trials of a withdrawn session are gone with its answers.
+         *     The steps of a withdrawn session are gone with its answers.
+         *
+         *     Attributes:
+         *         parts: part to what it asks or says: a trial's task, or a page, texts in one language.
          */
         SessionView: {
             study: components["schemas"]["StudyView"];
@@ -2317,15 +2841,65 @@ export interface components {
              * State
              * @enum {string}
              */
-            state: "active" | "complete" | "withdrawn";
-            /** Trials */
-            trials: components["schemas"]["TrialView"][];
+            state: "active" | "complete" | "screened_out" | "failed_attention" | "withdrawn";
+            /** Parts */
+            parts: {
+                [key: string]: {
+                    [key: string]: unknown;
+                };
+            };
+            /** Steps */
+            steps: components["schemas"]["StepView"][];
             /** Responses */
             responses: {
                 [key: string]: components["schemas"]["ResponseView"];
             };
             /** Next */
             next: number;
+        };
+        /**
+         * Share
+         * @description How often something was chosen of the times that it could be.
+         *
+         *     Attributes:
+         *         name: a clip's label, “none of them”, “no difference”, or the two clips of a pair.
+         *         clip: null where it is no clip.
+         *         share, low, high: in 0 ... 1, with Wilson's 95 % interval.
+         */
+        Share: {
+            /** Name */
+            name: string;
+            /** Clip */
+            clip: string | null;
+            /** Chosen */
+            chosen: number;
+            /** Shown */
+            shown: number;
+            /** Share */
+            share: number | null;
+            /** Low */
+            low: number | null;
+            /** High */
+            high: number | null;
+        };
+        /**
+         * Sona
+         * @description Participants come with `?id=`; `credit_url` grants the credit, `{id}` in it is theirs.
+         */
+        Sona: {
+            /** Credit Url */
+            credit_url: string;
+        };
+        /**
+         * StateChange
+         * @description Whether new participants may begin.
+         */
+        StateChange: {
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "open" | "paused" | "closed";
         };
         /**
          * Step
@@ -2350,14 +2924,152 @@ export interface components {
             };
         };
         /**
-         * StudyResults
-         * @description All of the results page's numbers.
+         * StepView
+         * @description One step of the way: a trial about figures, or a page.
          *
          *     Attributes:
+         *         part: the part of the study that it belongs to.
+         *         figures: those to be judged, as they stand on the page; in `abx` the third is X.
+         *         reference: the figure to compare with, in red.
+         *         instruction: what an attention check says to answer.
+         *         scales: the ids of the scales in the order in which they stand; null: as in the part.
+         */
+        StepView: {
+            /** Index */
+            index: number;
+            /** Part */
+            part: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "semantic_differential" | "unipolar" | "likert" | "analogue" | "choose" | "ab" | "abx" | "parallel" | "ranking" | "free_text" | "form" | "instructions" | "break" | "comment" | "debriefing";
+            /** Figures */
+            figures: components["schemas"]["FigureView"][];
+            reference?: components["schemas"]["FigureView"] | null;
+            /** Instruction */
+            instruction?: string | null;
+            /** Scales */
+            scales?: string[] | null;
+        };
+        /**
+         * StudyCounts
+         * @description How many participants stand where; previews and simulated ones are not among them.
+         */
+        StudyCounts: {
+            /**
+             * Complete
+             * @default 0
+             */
+            complete: number;
+            /**
+             * Active
+             * @default 0
+             */
+            active: number;
+            /**
+             * Withdrawn
+             * @default 0
+             */
+            withdrawn: number;
+        };
+        /**
+         * StudyDetail
+         * @description A study with everything that its makers work on.
+         *
+         *     Attributes:
+         *         draft: the study file as it is being edited; None where it equals the newest version.
+         *         saved_at: when the draft was last saved.
+         *         definition: the newest version.
+         *         problems: of the draft; none of them keeps it from being saved.
+         */
+        StudyDetail: {
+            /** Slug */
+            slug: string;
+            /** Title */
+            title: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "draft" | "open" | "paused" | "closed";
+            /**
+             * Role
+             * @enum {string}
+             */
+            role: "owner" | "editor" | "viewer";
+            /** Draft */
+            draft: {
+                [key: string]: unknown;
+            } | null;
+            /** Saved At */
+            saved_at: string | null;
+            /** Definition */
+            definition: {
+                [key: string]: unknown;
+            } | null;
+            /** Versions */
+            versions: components["schemas"]["VersionLine"][];
+            running: components["schemas"]["Running"];
+            /** Problems */
+            problems: components["schemas"]["Problem"][];
+        };
+        /**
+         * StudyLine
+         * @description A study in the list.
+         *
+         *     Attributes:
+         *         version: number of the newest version; None before the first was published.
+         *         draft: whether there are changes that no version has yet.
+         */
+        StudyLine: {
+            /** Slug */
+            slug: string;
+            /** Title */
+            title: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "draft" | "open" | "paused" | "closed";
+            /**
+             * Role
+             * @enum {string}
+             */
+            role: "owner" | "editor" | "viewer";
+            /** Version */
+            version: number | null;
+            /** Draft */
+            draft: boolean;
+            counts: components["schemas"]["StudyCounts"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * StudyList
+         * @description Every study that the caller may see.
+         */
+        StudyList: {
+            /** Studies */
+            studies: components["schemas"]["StudyLine"][];
+        };
+        /**
+         * StudyResults
+         * @description All of the results page's numbers, of one part.
+         *
+         *     Attributes:
+         *         study_hash: of the newest version.
          *         needed: complete participants below which nothing is computed.
-         *         participants: complete ones, whose answers are analysed.
+         *         participants: complete ones that saw the part, whose answers are analysed.
          *         rule: which answers are analysed, in words.
+         *         kind: whose: people's, or simulated participants'; simulated: how many of those there are.
          *         against: "others" compares a best clip with the other clips of its body, "all" with all.
+         *         parts: all parts that ask about clips; part: the one that the numbers are of.
+         *         axes: what was answered by numbers; choices: by choosing; poles: of bipolar scales alone.
+         *         texts: how many answers in words there are; they are read in the exports.
          */
         StudyResults: {
             /** Slug */
@@ -2373,39 +3085,72 @@ export interface components {
             /** Rule */
             rule: string;
             /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "participant" | "simulated";
+            /** Simulated */
+            simulated: number;
+            /**
              * Against
              * @enum {string}
              */
             against: "others" | "all";
             counts: components["schemas"]["Counts"];
-            /** Steps */
-            steps: string[];
+            /** Parts */
+            parts: components["schemas"]["PartName"][];
+            part: components["schemas"]["PartName"];
             /** Clips */
             clips: components["schemas"]["Clip"][];
             /** Axes */
             axes: components["schemas"]["Axis"][];
+            /** Choices */
+            choices: components["schemas"]["Choices"][];
             /** Poles */
             poles: components["schemas"]["PoleRow"][];
+            /** Texts */
+            texts: number;
         };
         /**
          * StudyView
-         * @description What a participant's page shows of the study.
+         * @description What a participant's page shows of the study as a whole.
          */
         StudyView: {
             /** Title */
             title: string;
-            /** Question */
-            question: string;
-            /** Hint */
-            hint: string;
-            /** Scales */
-            scales: components["schemas"]["ScaleView"][];
-            /** Steps */
-            steps: string[];
-            /** Comment Label */
-            comment_label: string;
-            /** Comment Placeholder */
-            comment_placeholder: string;
+            /** Language */
+            language: string;
+            /** Languages */
+            languages: components["schemas"]["LanguageView"][];
+            /** Back */
+            back: boolean;
+            /**
+             * Preview
+             * @default false
+             */
+            preview: boolean;
+        };
+        /**
+         * TemplateLine
+         * @description A study that is ready to be taken as a beginning.
+         */
+        TemplateLine: {
+            /** Id */
+            id: string;
+            /** Title */
+            title: string;
+            /** Summary */
+            summary: string;
+            /** Minutes */
+            minutes: number;
+        };
+        /**
+         * TemplateList
+         * @description The templates that come with the server.
+         */
+        TemplateList: {
+            /** Templates */
+            templates: components["schemas"]["TemplateLine"][];
         };
         /**
          * TransitionKey
@@ -2457,22 +3202,46 @@ export interface components {
             added: boolean;
         };
         /**
-         * TrialView
-         * @description One clip to judge. Addresses are content hashes: they do not give the clip's name away.
+         * UploadedFile
+         * @description A study file: its text, and its name, whose ending tells YAML from JSON.
          */
-        TrialView: {
-            /** Index */
-            index: number;
-            /** Glb Url */
-            glb_url: string;
-            /** Figure Url */
-            figure_url: string | null;
-            /** Cyclic */
-            cyclic: boolean;
+        UploadedFile: {
+            /** Name */
+            name: string;
+            /** Text */
+            text: string;
+        };
+        /**
+         * VersionLine
+         * @description A published version: never changed, and answers belong to it.
+         *
+         *     Attributes:
+         *         hash: SHA-256 of its definition's canonical JSON.
+         *         changes: what it changed against the version before, one sentence each.
+         *         sessions: how many participants began it.
+         */
+        VersionLine: {
+            /** Number */
+            number: number;
+            /** Hash */
+            hash: string;
+            /**
+             * Published At
+             * Format: date-time
+             */
+            published_at: string;
+            /** Changes */
+            changes: string[];
+            /** Sessions */
+            sessions: number;
         };
         /**
          * ViewingRecord
-         * @description How the clip was watched. Times in ms; what a browser cannot tell is left out.
+         * @description How the figures were watched. Times in ms; what a browser cannot tell is left out.
+         *
+         *     Attributes:
+         *         figure_ms: of several figures, how long each was in view and moving.
+         *         start: sliders that showed a position before they were touched, and which.
          */
         ViewingRecord: {
             /** Plays */
@@ -2490,6 +3259,12 @@ export interface components {
             /** Tier */
             tier?: string | null;
             viewport?: components["schemas"]["Viewport"] | null;
+            /** Figure Ms */
+            figure_ms?: number[] | null;
+            /** Start */
+            start?: {
+                [key: string]: number;
+            } | null;
         };
         /**
          * Viewport
@@ -5170,6 +5945,8 @@ export interface operations {
         parameters: {
             query?: {
                 against?: "others" | "all";
+                part?: string | null;
+                kind?: "participant" | "simulated";
             };
             header?: never;
             path: {
@@ -5199,6 +5976,1179 @@ export interface operations {
             };
             /** @description There is no such study. */
             404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_studies: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudyList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    create_study: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewStudy"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudyDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    show_study: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudyDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    delete_study: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    save_draft: {
+        parameters: {
+            query?: {
+                /** @description `saved_at` of the draft that this one was made from */
+                seen?: string | null;
+            };
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": {
+                    [key: string]: unknown;
+                };
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SavedDraft"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    discard_draft: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudyDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    show_changes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Changes"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    publish_study: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Changes"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    change_running: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Running"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudyDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    change_state: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["StateChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudyDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    duplicate_study: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudyDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    make_invitations: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["InvitationRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvitationList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    download_study_file: {
+        parameters: {
+            query?: {
+                version?: number | null;
+                format?: "yaml" | "json";
+            };
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The study file */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/yaml": string;
+                    "application/json": Record<string, never>;
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    preview_study: {
+        parameters: {
+            query?: {
+                language?: ("en" | "fi" | "ja") | null;
+                part?: string | null;
+            };
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SessionView"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_study_templates: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TemplateList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
                 headers: {
                     [name: string]: unknown;
                 };
