@@ -58,7 +58,7 @@ def test_another_answer_under_the_same_revision_is_refused_with_what_is_stored(d
     ("values", "told"),
     [
         ({}, "“afraid_confident” is not answered"),
-        (NEUTRAL | {"mood": 1}, "“mood” is no scale of this study"),
+        (NEUTRAL | {"mood": 1}, "“mood” is not asked here"),
         (NEUTRAL | {"sad_happy": 3}, "“sad_happy” is 3, not within -2 … 2"),
         (NEUTRAL | {"sad_happy": -3}, "“sad_happy” is -3"),
     ],
@@ -71,7 +71,7 @@ def test_an_answer_that_does_not_fit_the_study_is_refused(db, token, values, tol
 
 
 def test_touching_what_is_no_scale_is_refused(db, token):
-    with pytest.raises(InvalidError, match="touched but is no scale"):
+    with pytest.raises(InvalidError, match="touched but is not asked here"):
         answers.record(db, token, answer_with(NEUTRAL, touched=["mood"]))
 
 

@@ -125,7 +125,9 @@ def test_a_withdrawal_leaves_a_tombstone_without_data(db, token, finished):
     assert db.scalars(select(Response)).all() == []
     (row,) = db.scalars(select(StudySession))
     kept = {column.key for column in StudySession.__table__.columns if getattr(row, column.key)}
-    assert kept == {"id", "study_id", "token_hash", "state", "withdrawn_at", "created_at"}
+    assert kept == {
+        "id", "study_id", "version_id", "kind", "token_hash", "state", "withdrawn_at", "created_at",
+    }  # fmt: skip
     assert row.created_at == row.withdrawn_at
     assert session_views.view(db, token).steps == []
 
