@@ -111,6 +111,7 @@ class ViewingRecord(Message):
     """How the figures were watched. Times in ms; what a browser cannot tell is left out.
 
     Attributes:
+        figure_ms: of several figures, how long each was in view and moving.
         start: sliders that showed a position before they were touched, and which.
     """
 
@@ -122,6 +123,7 @@ class ViewingRecord(Message):
     dropped_frames: Count | None = None
     tier: Annotated[str, Field(max_length=40), BeforeValidator(storable)] | None = None
     viewport: Viewport | None = None
+    figure_ms: Annotated[list[Milliseconds], Field(max_length=1000)] | None = None
     start: Annotated[dict[str, float], Field(max_length=200)] | None = None
 
 

@@ -1,38 +1,33 @@
-// Where a person stands in the study: which trials are answered, with what, and which one comes now.
+// Where a person stands in the study: which steps are answered, with what, and which one comes now.
 
 import type { components } from "../api-types";
 import type { Outbox } from "../outbox";
-import { blank, same, type Form } from "../trials/semantic_differential";
+import { empty, same, type Form, type Step } from "../trials/kind";
 import { NOTHING_YET, type Attention } from "./clock";
+import { asked, isTrial, kindOf } from "./kinds";
+import { UNWATCHED, type Viewing } from "./measures";
 import type { Store } from "./store";
 
 type Schemas = components["schemas"];
 /** A session as the server tells it. */
 export type Session = Schemas["SessionView"];
-export type Trial = Schemas["TrialView"];
 /** An answer as it is handed in. */
 export type GivenAnswer = Schemas["Answer"];
 /** An answer that is known here. */
 export type StoredAnswer = Schemas["ResponseView"];
 
-/** How the clip was watched; counts and milliseconds, summed over reloads within the trial. */
-export interface Viewing {
-  plays: number;
-  viewing_ms: number;
-  camera_moves: number;
-  dropped_frames: number;
-}
-
 export interface Draft {
   form: Form;
   attention: Attention;
   viewing: Viewing;
+  /** Of several figures, how long each was in view and moving, ms. */
+  figures: readonly number[];
+  /** The positions that sliders showed before they were touched. */
+  start: Record<string, number>;
 }
 
 /** What goes with the form when it is handed in. */
 export type Measures = Pick<GivenAnswer, "rt_ms" | "time_elapsed_ms" | "client_time" | "record">;
-
-export const UNWATCHED: Viewing = { plays: 0, viewing_ms: 0, camera_moves: 0, dropped_frames: 0 };
 
 export class Course {
   readonly #known = new Map<number, StoredAnswer>();
@@ -49,17 +44,31 @@ export class Course {
     this.goTo(place === null ? this.firstOpen : Math.min(place, this.firstOpen));
   }
 
-  /** The current trial's place, or the number of trials once all are answered. */
+  /** The current step's place, or the number of steps once all are answered. */
   get index(): number {
     return this.#index;
   }
 
   get length(): number {
-    return this.session.trials.length;
+    return this.session.steps.length;
   }
 
-  get trial(): Trial | undefined {
-    return this.session.trials[this.#index];
+  get step(): Step | undefined {
+    return this.session.steps[this.#index];
+  }
+
+  /** The number of the current trial among all trials, from 1; pages do not count. */
+  get trial(): number {
+    return this.session.steps.slice(0, this.#index + 1).filter(isTrial).length;
+  }
+
+  get trials(): number {
+    return this.session.steps.filter(isTrial).length;
+  }
+
+  /** Where a person can go back to, or null. */
+  get before(): number | null {
+    return this.session.study.back && this.#index > 0 ? this.#index - 1 : null;
   }
 
   get answered(): number {
@@ -70,9 +79,9 @@ export class Course {
     return this.#index >= this.length;
   }
 
-  /** The first trial that nobody has answered yet, or the number of trials. */
+  /** The first step that nobody has answered yet, or the number of steps. */
   get firstOpen(): number {
-    const open = this.session.trials.find(({ index }) => !this.#known.has(index));
+    const open = this.session.steps.find(({ index }) => !this.#known.has(index));
     return open?.index ?? this.length;
   }
 
@@ -81,17 +90,18 @@ export class Course {
     this.store.set("place", this.#index);
   }
 
-  /** What the current trial shows at first: the draft of before a reload, else the answer given, else the preselection. */
+  /** What the current step shows at first: the draft of before a reload, else the answer given, else the preselection. */
   draft(): Draft {
     const kept = this.store.get<Draft>(`draft/${this.#index}`);
-    return kept ?? { form: this.#given(), attention: NOTHING_YET, viewing: UNWATCHED };
+    const form = this.#given();
+    return kept ?? { form, attention: NOTHING_YET, viewing: UNWATCHED, figures: [], start: this.#shownBefore(form) };
   }
 
   keepDraft(draft: Draft): void {
     this.store.set(`draft/${this.#index}`, draft);
   }
 
-  /** Hand in the current trial and go on. Going back and changing nothing hands nothing in. */
+  /** Hand in the current step and go on. Going back and changing nothing hands nothing in. */
   answer(form: Form, measures: Measures): void {
     const before = this.#known.get(this.#index);
     if (!before || !same(form, this.#given())) {
@@ -116,14 +126,24 @@ export class Course {
   }
 
   #learn(index: number, answer: StoredAnswer): void {
-    const { revision, answers, comment, touched } = answer;
+    const { revision, answers, comment = "", touched } = answer;
     if ((this.#known.get(index)?.revision ?? 0) > revision) return;
     this.#known.set(index, { revision, answers, touched, comment });
   }
 
+  /** Sliders hide their knob until they are touched; only one that is come back to shows a position. */
+  #shownBefore({ answers }: Form): Record<string, number> {
+    if (!this.step || !("record.start" in kindOf(this.step).data)) return {};
+    return Object.fromEntries(Object.entries(answers).filter(isNumber));
+  }
+
   #given(): Form {
     const known = this.#known.get(this.#index);
-    if (!known) return blank(this.session.study);
-    return { answers: { ...known.answers }, touched: [...known.touched], comment: known.comment };
+    if (!known) return this.step ? kindOf(this.step).blank(asked(this.session, this.step)) : empty();
+    return { answers: { ...known.answers } as Form["answers"], touched: [...known.touched], comment: known.comment };
   }
+}
+
+function isNumber(entry: [string, unknown]): entry is [string, number] {
+  return typeof entry[1] === "number";
 }

@@ -1,8 +1,18 @@
 // What is measured around an answer. Times in ms.
 
 import type { Attention } from "./clock";
-import { UNWATCHED, type Measures, type Viewing } from "./course";
+import type { Measures } from "./course";
 import type { Store } from "./store";
+
+/** How the figures were watched; counts and milliseconds, summed over reloads within the step. */
+export interface Viewing {
+  plays: number;
+  viewing_ms: number;
+  camera_moves: number;
+  dropped_frames: number;
+}
+
+export const UNWATCHED: Viewing = { plays: 0, viewing_ms: 0, camera_moves: 0, dropped_frames: 0 };
 
 /** What this page needs of <motion-viewer>. */
 export interface Viewer {
@@ -13,8 +23,10 @@ export interface Viewer {
     droppedFrames: number;
     tier: string | number;
   };
-  replay(): void;
+  paused: boolean;
+  play(): void;
   pause(): void;
+  replay(): void;
 }
 
 export function watched(viewer: Viewer | null): Viewing {
@@ -23,7 +35,7 @@ export function watched(viewer: Viewer | null): Viewing {
   return { plays, viewing_ms: viewingMs, camera_moves: cameraMoves, dropped_frames: droppedFrames };
 }
 
-/** Counts of before a reload, plus those since, less what the viewer had counted for the trial before. */
+/** Counts of before a reload, plus those since, less what the viewer had counted for the step before. */
 export function sum(before: Viewing, since: Viewing, counted: Viewing): Viewing {
   const entries = Object.keys(UNWATCHED).map((key) => {
     const name = key as keyof Viewing;
@@ -39,18 +51,30 @@ export function elapsedSince(store: Store, now = performance.timeOrigin + perfor
   return Math.max(0, now - (began ?? now));
 }
 
-export function measures(attention: Attention, elapsed: number, viewing: Viewing, viewer: Viewer | null): Measures {
-  const tier = viewer?.statistics?.tier;
+/** Everything that a step's record holds, before it is made ready for sending. */
+export interface Watched {
+  attention: Attention;
+  elapsed: number;
+  viewer: Viewer | null;
+  viewing: Viewing;
+  /** Of several figures, how long each was in view and moving. */
+  figures: readonly number[];
+  /** The positions that sliders showed before they were touched. */
+  start: Record<string, number>;
+}
+
+export function measures({ attention, elapsed, viewer, viewing, figures, start }: Watched): Measures {
   return {
     rt_ms: tenth(attention.spent_ms),
     time_elapsed_ms: tenth(elapsed),
     client_time: new Date().toISOString(),
     record: {
-      ...viewing,
-      viewing_ms: tenth(viewing.viewing_ms),
+      // A page without figures has no plays and no tier: nothing was there to be watched.
+      ...(viewer ? { ...viewing, viewing_ms: tenth(viewing.viewing_ms), tier: String(viewer.statistics?.tier) } : {}),
+      ...(figures.length > 1 ? { figure_ms: figures.map(tenth) } : {}),
+      ...(Object.keys(start).length ? { start } : {}),
       hidden_ms: tenth(attention.hidden_ms),
       blur_count: attention.blur_count,
-      ...(tier === undefined ? {} : { tier: String(tier) }),
       viewport: { width: innerWidth, height: innerHeight, pixel_ratio: devicePixelRatio },
     },
   };

@@ -1,53 +1,63 @@
-// <manner-trial token="…">: shows one clip after the other and keeps every answer safe. Light DOM, so that the
-// page's own styles and its skip link reach inside.
+// <manner-trial token="…">: leads through the steps of a session, one after the other, and keeps every answer safe.
+// <manner-trial preview="…">: the same with a draft from that address; nothing is kept. Light DOM, so that the page's
+// own styles and its skip link reach inside.
 
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { api, ApiError } from "../api";
-import { Outbox } from "../outbox";
-import { blank, choose, type Form } from "../trials/semantic_differential";
-import { NOTHING_YET, TrialClock } from "./clock";
-import { Course, UNWATCHED, type Draft, type GivenAnswer, type Session, type StoredAnswer } from "./course";
+import { ApiError } from "../api";
+import type { Outbox } from "../outbox";
+import type { Form } from "../trials/kind";
+import { focusNextOpen } from "../trials/steps";
+import { t } from "../words";
 import { brand } from "./brand";
-import { comment, footer } from "./panel";
-import { elapsedSince, measures, sum, watched, type Viewer } from "./measures";
-import { clipOnItsWay, lineNote, otherTab, savedMark, sending, stuck, type Line } from "./notices";
+import { cellPlaces } from "./cells";
+import { NOTHING_YET, TrialClock } from "./clock";
+import { Course, type Draft, type GivenAnswer } from "./course";
+import { filesOf, shownOf, viewer, type Shown } from "./figures";
+import { Glances } from "./glances";
+import { asked, kindOf } from "./kinds";
+import { face, type Scene } from "./layouts";
+import { elapsedSince, measures, sum, UNWATCHED, watched, type Viewer } from "./measures";
+import { clipOnItsWay, otherTab, previewOver, sending, stuck, type Line } from "./notices";
 import { claimSession } from "./one_tab";
 import { Preloader } from "./preload";
-import { scales } from "./scales";
-import { fingerprint, Store } from "./store";
+import { desk, previewDesk, type Desk } from "./desk";
 
-/** Between two answers at least; a double click must not answer the next clip. */
+/** Between two answers at least; a double click must not answer the next step. */
 const ARM_MS = 350;
 const SLOW_MS = 5_000;
-const SEND_TIMEOUT_MS = 15_000;
+const RETRY_MS = 2_000;
 
 type Phase =
-  | { name: "opening" | "trial" | "sending" | "other tab" }
+  | { name: "opening" | "step" | "sending" | "other tab" | "preview over" }
   | { name: "stuck"; title: string; text: string; help?: string };
+type Cells = HTMLElement & { cells: readonly object[] };
 
 @customElement("manner-trial")
 export class TrialPage extends LitElement {
   @property() token = "";
+  @property() preview = "";
   @state() private phase: Phase = { name: "opening" };
-  @state() private form: Form = blank({ scales: [] });
-  @state() private clip = "";
-  @state() private figure = "";
-  /** The current trial's files are there; the viewer does the rest. */
-  @state() fetched = false;
+  @state() private form: Form = { answers: {}, touched: [], comment: "" };
+  @state() private shown: { cells: boolean; figures: readonly Shown[] } | null = null;
+  /** The current step's files are there; the viewer does the rest. */
+  @state() private fetched = false;
   /** Answers are taken. */
-  @state() ready = false;
+  @state() private ready = false;
   @state() private slow = false;
+  @state() private paused = false;
+  @state() private pressed = false;
 
-  #store!: Store;
-  #outbox!: Outbox<GivenAnswer>;
+  #desk!: Desk;
   #course!: Course;
   #preloader!: Preloader;
+  #glances: Glances | null = null;
   #clock = new TrialClock();
-  #draft: Draft = { form: this.form, attention: NOTHING_YET, viewing: UNWATCHED };
-  /** What the viewer had counted when the trial began, where it goes on with the same clip. */
+  #draft: Draft = { form: this.form, attention: NOTHING_YET, viewing: UNWATCHED, figures: [], start: {} };
+  /** What the viewer had counted when the step began, where it goes on with the same figures. */
   #counted = UNWATCHED;
   #lastAnswer = -Infinity;
+  #resized = new ResizeObserver(() => this.#placeCells());
 
   protected override createRenderRoot(): HTMLElement {
     this.replaceChildren();
@@ -56,18 +66,9 @@ export class TrialPage extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#store = new Store(this.token);
-    this.#outbox = new Outbox<GivenAnswer>({
-      store: this.#store,
-      send: (answer) =>
-        api.post(`${this.#path}/responses`, answer, {
-          keepalive: true,
-          signal: AbortSignal.timeout(SEND_TIMEOUT_MS),
-        }),
-      onConflict: (answer, stored) => this.#course.accept(answer.trial_index, stored as StoredAnswer | undefined),
-    });
+    this.#desk = this.preview ? previewDesk(this.preview) : desk(this.token, (...given) => this.#course.accept(...given));
     this.#outbox.addEventListener("change", () => this.requestUpdate());
-    claimSession(fingerprint(this.token), () => this.#yield());
+    if (!this.preview) claimSession(this.#desk.name, () => this.#yield());
     window.addEventListener("online", () => void this.#outbox.flush());
     window.addEventListener("offline", () => this.requestUpdate());
     window.addEventListener("pagehide", () => this.#keepDraft());
@@ -77,16 +78,12 @@ export class TrialPage extends LitElement {
     void this.#open();
   }
 
-  get #path(): string {
-    return `/api/v1/sessions/${encodeURIComponent(this.token)}`;
+  get #outbox(): Outbox<GivenAnswer> {
+    return this.#desk.outbox;
   }
 
-  get #page(): string {
-    return `/take/${encodeURIComponent(this.token)}`;
-  }
-
-  get #viewer(): Viewer | null {
-    return this.querySelector<HTMLElement & Viewer>("motion-viewer");
+  get #viewer(): (Viewer & Cells) | null {
+    return this.querySelector<Viewer & Cells>("motion-viewer");
   }
 
   get #line(): Line {
@@ -96,18 +93,17 @@ export class TrialPage extends LitElement {
 
   async #open(): Promise<void> {
     try {
-      elapsedSince(this.#store);
+      elapsedSince(this.#desk.store);
       // The viewer is large: it comes beside the session and the first clips.
-      const viewer = import("../viewer/motion_viewer").catch(incomplete);
-      const session = await api.get<Session>(this.#path);
-      if (session.state === "complete") return location.replace(`${this.#page}/thanks`);
-      if (session.state === "withdrawn") throw new ApiError("withdrawn", "Your answers are deleted.", null, null, 410);
-      this.#course = new Course(session, this.#store, this.#outbox);
-      const files = session.trials.map(({ glb_url, figure_url }) => [glb_url, ...(figure_url ? [figure_url] : [])]);
-      this.#preloader = new Preloader(files, { fetch: (url, onShare) => api.bytes(url, undefined, onShare) });
+      const drawing = import("../viewer/motion_viewer").catch(incomplete);
+      const session = await this.#desk.session();
+      if (session.state === "withdrawn") throw new ApiError("withdrawn", t("Your answers are deleted."), null, null, 410);
+      if (session.state !== "active") return this.#desk.leave();
+      this.#course = new Course(session, this.#desk.store, this.#outbox);
+      this.#preloader = new Preloader(session.steps.map(filesOf), { fetch: this.#desk.bytes });
       void this.#outbox.flush();
       void this.#preloader.want(this.#course.index);
-      await viewer;
+      await drawing;
       await this.#show();
     } catch (error) {
       this.#stuck(error);
@@ -116,49 +112,76 @@ export class TrialPage extends LitElement {
 
   #stuck(error: unknown): void {
     const { message, mend } = error instanceof ApiError ? error : { message: String(error), mend: null };
-    this.phase = { name: "stuck", title: message, text: mend ?? "What you have answered is kept." };
+    this.phase = { name: "stuck", title: message, text: mend ?? t("What you have answered is kept.") };
   }
 
-  /** Show the current trial as soon as its clip is there, or the end. */
+  /** Show the current step as soon as its figures are there, or the end. */
   async #show(): Promise<void> {
-    const { index, finished } = this.#course;
-    if (finished) return this.#finish();
+    const { index, step } = this.#course;
+    if (!step) return this.#finish();
     this.#draft = this.#course.draft();
-    this.phase = { name: "trial" };
+    this.phase = { name: "step" };
     this.form = this.#draft.form;
-    this.ready = this.slow = this.fetched = false;
+    this.ready = this.slow = this.fetched = this.pressed = false;
     const patience = setTimeout(() => (this.slow = true), SLOW_MS);
-    const [clip = "", figure = ""] = await this.#preloader.want(index, () => this.requestUpdate());
+    const kept = await this.#preloader.want(index, () => this.requestUpdate());
     clearTimeout(patience);
-    if (index !== this.#course.index || this.phase.name !== "trial") return;
+    if (index !== this.#course.index || this.phase.name !== "step") return;
     this.fetched = true;
-    if (clip === this.clip && this.#viewer) {
-      this.#counted = watched(this.#viewer);
-      this.#viewer.replay();
-      this.#begin();
-    } else {
-      this.#counted = UNWATCHED;
-      this.clip = clip;
-      this.figure = figure;
-    }
+    await this.#stage(shownOf(step, kept), kindOf(step).layout !== "stage");
   }
 
-  /** The clip's first picture is there: the time runs, and answers are taken. */
+  /** Put figures on the stage; the step begins with their first picture, or at once where there are none. */
+  async #stage(figures: readonly Shown[], cells: boolean): Promise<void> {
+    const same = JSON.stringify({ cells, figures }) === JSON.stringify(this.shown);
+    this.shown = figures.length ? { cells, figures } : null;
+    this.#counted = same ? watched(this.#viewer) : UNWATCHED;
+    await this.updateComplete;
+    this.#watchCells();
+    if (this.shown && !same) return;
+    this.#viewer?.replay();
+    this.#begin();
+  }
+
+  #watchCells(): void {
+    this.#glances?.stop();
+    this.#resized.disconnect();
+    const grid = this.querySelector(".cells");
+    this.#glances = grid && new Glances([...grid.querySelectorAll(".cell")], this.#draft.figures);
+    if (grid) this.#resized.observe(grid);
+    this.#placeCells();
+  }
+
+  #placeCells(): void {
+    const grid = this.querySelector(".cells");
+    if (grid && this.#viewer) this.#viewer.cells = cellPlaces(grid);
+  }
+
+  /** The first picture is there: the time runs, and answers are taken. */
   #begin(): void {
-    if (this.phase.name !== "trial" || this.#clock.running) return;
+    if (this.phase.name !== "step" || this.#clock.running) return;
     this.#clock.start(this.#draft.attention);
     const arm = () => {
       this.ready = true;
-      if (this.#lastAnswer > 0) void this.updateComplete.then(() => this.#focusFirstScale());
+      if (this.#lastAnswer > 0) void this.updateComplete.then(() => this.#focusFirst());
     };
     const rest = ARM_MS - (performance.now() - this.#lastAnswer);
     if (rest > 0) setTimeout(arm, rest);
     else arm();
   }
 
-  #focusFirstScale(): void {
-    this.querySelector(".panel-scroll")?.scrollTo(0, 0);
-    this.querySelector<HTMLInputElement>(".scale input:checked")?.focus({ preventScroll: true });
+  #focusFirst(): void {
+    this.querySelector(".panel-scroll, .cells-scroll, .page-scroll")?.scrollTo(0, 0);
+    if (this.form.touched.length && focusNextOpen(this, null)) return;
+    const first = ".scale [tabindex='0'], .slider input, .pick input, .place-button, .own-words textarea, #content";
+    this.querySelector<HTMLElement>(first)?.focus({ preventScroll: true });
+  }
+
+  #onFrame(): void {
+    const viewer = this.#viewer;
+    if (!viewer) return;
+    if (viewer.paused !== this.paused) this.paused = viewer.paused;
+    if (this.#glances?.watched(viewer.statistics.viewingMs)) this.requestUpdate();
   }
 
   #change(form: Form): void {
@@ -167,49 +190,70 @@ export class TrialPage extends LitElement {
   }
 
   #keepDraft(): void {
-    if (this.phase.name !== "trial" || !this.#clock.running) return;
-    this.#course.keepDraft({ form: this.form, attention: this.#clock.read(), viewing: this.#viewing });
+    if (this.phase.name !== "step" || !this.#clock.running) return;
+    const { start } = this.#draft;
+    this.#course.keepDraft({ form: this.form, attention: this.#clock.read(), viewing: this.#viewing, figures: this.#figures, start });
   }
 
   get #viewing() {
     return sum(this.#draft.viewing, watched(this.#viewer), this.#counted);
   }
 
+  get #figures(): readonly number[] {
+    return this.#glances?.ms ?? [];
+  }
+
   #next(): void {
-    if (!this.ready) return;
-    const elapsed = elapsedSince(this.#store);
-    this.#course.answer(this.form, measures(this.#clock.read(), elapsed, this.#viewing, this.#viewer));
+    const { step } = this.#course;
+    if (!this.ready || !step) return;
+    if (!kindOf(step).isComplete(asked(this.#course.session, step), this.form)) return this.#complain();
+    const viewer = this.#viewer;
+    const { start } = this.#draft;
+    const elapsed = elapsedSince(this.#desk.store);
+    const attention = this.#clock.read();
+    this.#course.answer(this.form, measures({ attention, elapsed, viewer, viewing: this.#viewing, figures: this.#figures, start }));
     this.#leave();
   }
 
+  /** Something is missing: say what, where it is. */
+  #complain(): void {
+    this.pressed = true;
+    void this.updateComplete.then(() => {
+      const error = this.querySelector(".field-error")?.closest(".field");
+      error?.querySelector<HTMLElement>("input, textarea, select")?.focus();
+    });
+  }
+
   #back(): void {
-    if (!this.ready) return;
+    const { before } = this.#course;
+    if (!this.ready || before === null) return;
     this.#keepDraft();
-    this.#course.goTo(this.#course.index - 1);
+    this.#course.goTo(before);
     this.#leave();
   }
 
   #leave(): void {
     this.#clock.stop();
     this.#lastAnswer = performance.now();
-    void this.#show();
+    void this.#show().catch((error: unknown) => this.#stuck(error));
   }
 
   /** Every answer first, then the end: no code before the server has acknowledged all. */
   async #finish(): Promise<void> {
+    if (this.preview) return void (this.phase = { name: "preview over" });
     this.phase = { name: "sending" };
     await this.#outbox.flush();
     if (this.#outbox.waiting || this.phase.name !== "sending") return;
     try {
-      await api.post(`${this.#path}/complete`);
-      location.replace(`${this.#page}/thanks`);
+      await this.#desk.complete();
+      this.#desk.leave();
     } catch (error) {
       if (!(error instanceof ApiError)) throw error;
       const missing = error.where?.["missing"];
       if (error.code === "answers_missing" && Array.isArray(missing)) {
         this.#course.reopen(missing as number[]);
         void this.#show();
-      } else if (error.transient) setTimeout(() => void this.#finish(), 2_000);
+      } else if (error.transient) setTimeout(() => void this.#finish(), RETRY_MS);
       else this.#stuck(error);
     }
   }
@@ -222,71 +266,66 @@ export class TrialPage extends LitElement {
     this.phase = { name: "other tab" };
   }
 
+  /** Enter goes on from whatever is answered with the keyboard: to what is still open, else to the next step. */
   #onKey(event: KeyboardEvent): void {
-    if (event.key !== "Enter" || event.repeat || this.phase.name !== "trial") return;
+    if (event.key !== "Enter" || event.repeat || this.phase.name !== "step") return;
     const { target } = event;
-    const onScale = target instanceof HTMLInputElement && target.type === "radio";
-    if (!(event.ctrlKey || event.metaKey || onScale || target === document.body)) return;
+    const onAnswer = target instanceof HTMLInputElement && ["radio", "range"].includes(target.type);
+    const anywhere = event.ctrlKey || event.metaKey;
+    if (!(anywhere || onAnswer || target === document.body)) return;
     event.preventDefault();
+    if (!anywhere && focusNextOpen(this, target as Element)) return;
     this.#next();
   }
 
   protected override render(): TemplateResult {
     const { phase } = this;
-    if (phase.name === "trial") return this.#trial();
+    if (phase.name === "step") return face(this.#scene());
     const text = {
-      opening: () => html`<p class="checking">The first clip is on its way.</p>`,
+      opening: () => html`<p class="checking">${t("The first clip is on its way.")}</p>`,
       sending: () => sending(this.#line, () => location.reload()),
       "other tab": () => otherTab(),
+      "preview over": () => previewOver(() => location.reload()),
       stuck: () => (phase.name === "stuck" ? stuck(phase.title, phase.text, phase.help) : html``),
     }[phase.name]();
     return html`<header class="topbar">${brand()}</header><main class="plain" id="content" tabindex="-1">${text}</main>`;
   }
 
-  #trial(): TemplateResult {
-    const { index, length, answered, session } = this.#course;
-    return html`<header class="trial-bar">
-        ${brand()}
-        <div class="place"><span aria-live="polite"><strong>Clip ${index + 1}</strong> of ${length}</span>
-          <progress max=${length} .value=${index} aria-label="Clips answered"></progress></div>
-        ${savedMark(this.#line, answered)}
-      </header>
-      ${lineNote(this.#line)}
-      <main class="trial-body" id="content" tabindex="-1">
-        <section class="stage" aria-label="The clip">${this.#stage()}</section>
-        <form class="panel" @submit=${(event: Event) => { event.preventDefault(); this.#next(); }}>
-          <div class="panel-scroll">
-            <h1>${session.study.question}</h1>
-            <p class="trial-hint">${session.study.hint}</p>
-            ${scales(session.study, this.form, (scale, value) => this.#change(choose(this.form, scale, value)))}
-            ${comment(session.study, this.form, (form) => this.#change(form))}
-          </div>
-          ${footer(this.#course, this, () => this.#back())}
-        </form>
-      </main>`;
+  #scene(): Scene {
+    const course = this.#course;
+    const step = course.step!;
+    const { form, pressed, ready, fetched, paused } = this;
+    return {
+      course, ready, fetched, paused,
+      kind: kindOf(step),
+      view: { ...asked(course.session, step), form, pressed, change: (form) => this.#change(form) },
+      viewer: this.#figuresShown(kindOf(step).layout !== "stage"),
+      line: this.#line,
+      isSeen: (place) => this.#glances?.isSeen(place) ?? true,
+      unseen: this.#glances?.unseen ?? 0,
+      back: () => this.#back(),
+      next: () => this.#next(),
+      togglePause: () => (this.paused ? this.#viewer?.play() : this.#viewer?.pause()),
+    };
   }
 
-  #stage(): TemplateResult {
-    return html`${this.clip
-        ? html`<motion-viewer theme="light" controls="simple" autoplay loop="auto"
-            class=${this.fetched ? "" : "away"} src=${this.clip} figure=${this.figure || nothing}
-            @ready=${() => this.#begin()} @unsupported=${() => this.#cannotDraw()}></motion-viewer>`
-        : nothing}
-      ${this.fetched
-        ? nothing
-        : clipOnItsWay(this.#preloader.share(this.#course.index), this.slow, () => location.reload())}`;
+  #figuresShown(cells: boolean): TemplateResult | typeof nothing {
+    const { shown, fetched } = this;
+    const on = { ready: () => this.#begin(), unsupported: () => this.#cannotDraw(), frame: () => this.#onFrame() };
+    const waiting = () => clipOnItsWay(this.#preloader.share(this.#course.index), this.slow, () => location.reload());
+    return html`${shown?.cells === cells ? viewer(shown.figures, cells, !fetched, on) : nothing}${fetched ? nothing : waiting()}`;
   }
 
   #cannotDraw(): void {
     this.phase = {
       name: "stuck",
-      title: "This browser cannot draw the clips",
-      text: "What you have answered is kept. Open this page’s address in another browser or on another device, and go on there.",
+      title: t("This browser cannot draw the clips"),
+      text: t("What you have answered is kept. Open this page’s address in another browser or on another device, and go on there."),
       help: "/no-webgl",
     };
   }
 }
 
 function incomplete(): never {
-  throw new ApiError("offline", "The page did not load completely.", null, "Check the connection, then try again.", 0);
+  throw new ApiError("offline", t("The page did not load completely."), null, t("Check the connection, then try again."), 0);
 }

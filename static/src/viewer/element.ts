@@ -9,7 +9,8 @@
  * `setMotion(index, glb)` gives a figure another motion of the same skeleton; moment, play state and
  * view stay. `setPose(index, root, rotations)` poses it from outside, with `live` set.
  * `setShown(index, shown)` and `arrange` ("ghost": ghosts behind as marked, "beside": all side by
- * side, "one": alone, the first that is shown) choose who is on view. `view(name)` turns to
+ * side, "one": alone, the first that is shown, "cells": each alone in its own of the `cells`, CSS
+ * pixels from the viewer's upper left, all of one size) choose who is on view. `view(name)` turns to
  * "three-quarter", "front" or "side". `figures[i].jointPositions()` are metres, x y z a joint.
  *
  * Events: `ready`, `frame` {time} after every drawn frame, `timeupdate` {time} some ten times a
@@ -31,7 +32,7 @@ import { Legend } from "./legend";
 import { Loading } from "./loading";
 import { failureMessage, unsupportedMessage } from "./overlay";
 import { PlaybackElement } from "./playback";
-import { Surface } from "./renderer";
+import { Surface, type Area } from "./renderer";
 import { ARRANGEMENTS, Stage, type Arrangement, type Performer } from "./stage";
 import { standingClip } from "./standing";
 import { Statistics, type Tier, type ViewingStatistics } from "./statistics";
@@ -76,6 +77,7 @@ export class MotionViewer extends PlaybackElement implements Playable {
   private unseen: number[] = [];
   private lastTold = 0;
   private chosenPreset: Preset | null = "three-quarter";
+  private ownCells: readonly Area[] = [];
 
   constructor() {
     super();
@@ -170,6 +172,12 @@ export class MotionViewer extends PlaybackElement implements Playable {
 
   set arrange(arrangement: Arrangement) {
     this.setAttribute("arrange", arrangement);
+  }
+
+  /** Where each figure is drawn with `arrange="cells"`. */
+  set cells(cells: readonly Area[]) {
+    this.ownCells = cells;
+    this.layOut();
   }
 
   /**
@@ -309,7 +317,9 @@ export class MotionViewer extends PlaybackElement implements Playable {
     if (!this.stage || this.clientWidth === 0) return;
     const { clientWidth: width, clientHeight: height, controls } = this;
     const furniture = furnish(controls, this.legend.element, this.overlay);
-    this.stage.setFrame(stageFrame(width, height, furniture));
+    const [cell] = this.arrange === "cells" ? this.ownCells : [];
+    this.stage.setCells(this.ownCells);
+    this.stage.setFrame(stageFrame(cell?.width ?? width, cell?.height ?? height, furniture));
     this.labelsStale = true;
     const ratio = this.tier === "plain" ? Math.min(devicePixelRatio, 1.5) : devicePixelRatio;
     this.stage.surface.resize(width, height, ratio);

@@ -4,6 +4,14 @@ import { tierChooser } from "./tier";
 
 export const MOST_PIXEL_RATIO = 2;
 
+/** A piece of a surface, in CSS pixels from its upper left corner. */
+export interface Area {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
 /** A place on the page where a scene appears. */
 export class Surface {
   /** Holds whichever canvas shows the picture now. */
@@ -36,8 +44,9 @@ export class Surface {
     return Math.round(this.height * this.ratio);
   }
 
-  draw(scene: Scene, camera: Camera): void {
-    this.shared.draw(this, scene, camera);
+  /** Draws, into a piece of the surface if given; what a run of pieces shares is done with the last. */
+  draw(scene: Scene, camera: Camera, area: Area | null = null, last = true): void {
+    this.shared.draw(this, scene, camera, area, last);
   }
 
   /** Shows the shared canvas itself, or (null) the copy. */
@@ -96,17 +105,25 @@ export class SharedRenderer {
     this.share();
   }
 
-  draw(surface: Surface, scene: Scene, camera: Camera): void {
+  draw(surface: Surface, scene: Scene, camera: Camera, area: Area | null, last: boolean): void {
     const { renderer } = this;
     const alone = this.surfaces.size === 1;
     this.fit(surface, alone);
-    const { pixelWidth, pixelHeight } = surface;
-    this.viewport.set(0, 0, pixelWidth, pixelHeight);
+    this.place(surface, area);
     renderer.setViewport(this.viewport);
     renderer.setScissor(this.viewport);
-    renderer.setScissorTest(!alone);
+    renderer.setScissorTest(!alone || area !== null);
     renderer.render(scene, camera);
-    if (!alone) surface.take(renderer.domElement);
+    if (!alone && last) surface.take(renderer.domElement);
+  }
+
+  /** WebGL counts from the lower left, where the surface's picture lies. */
+  private place({ pixelWidth, pixelHeight, height, ratio }: Surface, area: Area | null): void {
+    if (!area) this.viewport.set(0, 0, pixelWidth, pixelHeight);
+    else {
+      const low = height - area.y - area.height;
+      this.viewport.set(area.x, low, area.width, area.height).multiplyScalar(ratio).round();
+    }
   }
 
   /** The drawing area: exactly a lone surface's size, otherwise large enough for the largest. */

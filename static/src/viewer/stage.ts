@@ -7,7 +7,7 @@ import { Figure } from "./figure";
 import { Disc, Floor } from "./ground";
 import { Lights } from "./lights";
 import { looks, type FigureRole, type GhostKind, type Mode } from "./looks";
-import type { Surface } from "./renderer";
+import type { Area, Surface } from "./renderer";
 import { clipExtent } from "./extent";
 import type { Tier } from "./statistics";
 
@@ -18,8 +18,8 @@ export interface Performer {
   ghost: GhostKind | null;
 }
 
-/** Ghosts behind as the page wants them, all side by side, or one alone. */
-export const ARRANGEMENTS = ["ghost", "beside", "one"] as const;
+/** Ghosts behind as the page wants them, all side by side, one alone, or each in a cell of its own. */
+export const ARRANGEMENTS = ["ghost", "beside", "one", "cells"] as const;
 export type Arrangement = (typeof ARRANGEMENTS)[number];
 
 /** Half the distance between two figures side by side, metres: the pair's discs just part. */
@@ -45,6 +45,8 @@ export class Stage {
   /** Whose way the grid shows: the last figure with a place of its own, the judged one of a pair. */
   private leader: Figure | undefined;
   private bareDisc: Disc | null = null;
+  /** Where each figure is drawn when each has a cell: all of one size. */
+  private cells: readonly Area[] = [];
 
   constructor(readonly surface: Surface) {
     this.scene.add(this.lights.group, this.floor.mesh);
@@ -154,6 +156,10 @@ export class Stage {
     this.orbit.setFrame(frame);
   }
 
+  setCells(cells: readonly Area[]): void {
+    this.cells = cells;
+  }
+
   /** Poses every figure for a moment. */
   setTime(seconds: number): void {
     for (let index = 0; index < this.figures.length; index += 1) {
@@ -164,7 +170,19 @@ export class Stage {
 
   /** Draws, onto another surface if given. Its size must be that of the last `setFrame`. */
   draw(surface: Surface = this.surface): void {
-    surface.draw(this.scene, this.orbit.camera);
+    if (this.arrangement === "cells" && this.figures.length > 0) this.drawCells(surface);
+    else surface.draw(this.scene, this.orbit.camera);
+  }
+
+  /** One figure after the other, each alone on the stage. One that is still awaited stands in every cell. */
+  private drawCells(surface: Surface): void {
+    const last = this.cells.length - 1;
+    this.cells.forEach((cell, index) => {
+      const figure = this.figures[index] ?? this.figures[0]!;
+      for (const other of this.figures) other.group.visible = other === figure;
+      this.floor.travel(figure.path[0]!, figure.path[1]!);
+      surface.draw(this.scene, this.orbit.camera, cell, index === last);
+    });
   }
 
   /** Where a label belongs: above each figure that has a place of its own, in CSS pixels. */
@@ -197,7 +215,7 @@ export class Stage {
   }
 
   private get solid(): number {
-    if (this.arrangement === "one") return 1;
+    if (this.arrangement === "one" || this.arrangement === "cells") return 1;
     return this.performers.filter((_, index) => !this.ghostOf(index)).length;
   }
 
