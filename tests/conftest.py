@@ -143,6 +143,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for entry in entries
     }
     manifest["src/favicon.svg"] = {"file": "assets/favicon-0a1b2c3d.svg"}
+    manifest["src/styles/japanese.css"] = {"file": "assets/japanese-0a1b2c3d.css"}
     (folder / ".vite").mkdir()
     (folder / ".vite" / "manifest.json").write_text(json.dumps(manifest))
     (folder / "assets").mkdir()
