@@ -13,21 +13,11 @@ from app.persistence.models import ClipRecord
 from app.schemas.edits import ClipRequest, Edit
 from app.schemas.jobs import MOST, Batch, Choice, Plan, PlannedClip
 from app.services import edits
+from app.studies.emotion import MODIFIED
 
 if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wait
     from motion.recipe import Preset
 
-# Förger's modified clips, from the neutral one of either body (his figure 29).
-FOERGER = {
-    "female": (
-        "afraid", "angry", "excited", "masculine", "relaxed",
-        "sad", "strong", "tired", "weak", "feminine",
-    ),
-    "male": (
-        "afraid", "angry", "energetic_sadness", "excited", "feminine",
-        "relaxed", "sad", "strong", "tired", "weak",
-    ),
-}  # fmt: skip
 FOERGER_SET = "foerger-modified"
 KEPT_TAGS = ("body", "synthetic")
 
@@ -53,8 +43,8 @@ def plan(db: Session, choice: Choice) -> Plan:
 
 
 def foerger(db: Session) -> Plan:
-    """The twenty clips that Förger made from two, here from the sample library's."""
-    pairs = [(_neutral(db, body), preset) for body, names in FOERGER.items() for preset in names]
+    """The twenty clips that Förger made from two (his figure 29), here from the samples."""
+    pairs = [(_neutral(db, body), preset) for body, names in MODIFIED.items() for preset in names]
     return _planned(db, pairs, {"set": FOERGER_SET})
 
 

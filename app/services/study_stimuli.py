@@ -268,7 +268,8 @@ def _fill_trials(part: Trials, target: dict[str, Any], library: _Library) -> Non
 def _fill(stimulus: Stimulus, library: _Library) -> dict[str, Any]:
     """The stimulus with its clip's id; what its author left out comes from the clip's tags."""
     clip_id, name, tags = library.of(stimulus)
-    style = tags.get("style") or tags.get("preset", "").replace("_", " ") or tags.get("emotion")
+    own = tags.get("style") or tags.get("preset", "").replace("_", " ") or tags.get("emotion")
+    style = stimulus.style or own
     words = (style or name, tags.get("speed"), tags.get("body"), tags.get("made"))
     filled = stimulus.model_dump(mode="json")
     label = Words(", ".join(word for word in words if word)).model_dump(mode="json")
@@ -276,5 +277,5 @@ def _fill(stimulus: Stimulus, library: _Library) -> dict[str, Any]:
     filled["name"] = filled["name"] or name[:LONGEST_NAME].strip()
     filled["label"] = filled["label"] or label
     filled["body"] = filled["body"] or tags.get("body")
-    filled["style"] = filled["style"] or style
+    filled["style"] = style
     return filled
