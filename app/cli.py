@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
+from app import cli_studies
 from app.errors import MannerError
 from app.persistence.engine import Database, make_engine
 from app.services import preparation, researchers
@@ -32,6 +33,7 @@ app = typer.Typer(
     pretty_exceptions_show_locals=False,
     help="Manner: perception studies and authoring of human motion.",
 )
+app.add_typer(cli_studies.app, name="study")
 console = Console(highlight=False)
 
 

@@ -25,6 +25,11 @@ def by_email(db: Session, email: str) -> Researcher | None:
     return db.scalar(select(Researcher).where(Researcher.email == email.lower()))
 
 
+def earliest(db: Session) -> Researcher | None:
+    """Whoever set the server up."""
+    return db.scalar(select(Researcher).order_by(Researcher.id).limit(1))
+
+
 def add(db: Session, *, email: str, name: str, password_hash: str) -> Researcher:
     """Store a researcher."""
     researcher = Researcher(email=email.lower(), name=name, password_hash=password_hash)

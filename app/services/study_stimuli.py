@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
@@ -34,11 +36,18 @@ LONGEST_NAME = 64
 
 
 def maker(database: Database, writer: Writer, workers: Workers) -> Make:
-    """Makes clips one after the other, each stored as soon as it is made."""
+    """Makes clips, a few at a time, each stored as soon as it is made."""
+
+    def make_one(request: ClipRequest) -> None:
+        try:
+            edits.create(database, writer, workers, request)
+        except MannerError as error:
+            message = f"“{request.name}” cannot be made. {error.message}"
+            raise InvalidError(message, code=error.code, mend=error.mend) from error
 
     def make(requests: Sequence[ClipRequest]) -> None:
-        for request in requests:
-            edits.create(database, writer, workers, request)
+        with ThreadPoolExecutor(os.cpu_count()) as threads:  # they wait for the workers' processes
+            list(threads.map(make_one, requests))
 
     return make
 
@@ -66,12 +75,7 @@ def resolve(db: Session, definition: StudyDefinition, make: Make) -> StudyDefini
             where={"problems": [fault.model_dump() for fault in faults]},
             mend=faults[0].mend,
         )
-    for request in (one.request for one in library.made.values() if one.clip is None):
-        try:
-            make([request])
-        except MannerError as error:
-            message = f"“{request.name}” cannot be made. {error.message}"
-            raise InvalidError(message, code=error.code, mend=error.mend) from error
+    make([one.request for one in library.made.values() if one.clip is None])
     return _filled(definition, library)
 
 

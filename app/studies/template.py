@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from app.errors import InvalidError
+
 Document = dict[str, Any]
 
 
@@ -36,5 +38,12 @@ class Template:
 
         Args:
             options: those of the template, as text.
+
+        Raises:
+            InvalidError: the template has no such option, or cannot read its value.
         """
+        for name in options.keys() - self.options.keys():
+            known = ", ".join(self.options) or "none"
+            message = f"The template {self.id} has no option “{name}”."
+            raise InvalidError(message, mend=f"There is: {known}.")
         return self.make(**options)
