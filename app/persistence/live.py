@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from datetime import datetime
 from typing import Any, NamedTuple
 
-from sqlalchemy import ColumnElement, and_, case, delete, func, insert, or_, select
+from sqlalchemy import ColumnElement, Select, and_, case, delete, func, insert, or_, select
 from sqlalchemy.orm import Session
 
 from app.persistence.models import Response, SessionSummary, StudySession, StudyVersion
@@ -34,15 +34,36 @@ class Scope(NamedTuple):
     kind: str
 
 
-class Standing(NamedTuple):
-    """How many sessions of a group stand where; `going`: with a sign of life lately."""
+class Total(NamedTuple):
+    """How many sessions of a group are in a state."""
 
     state: str
     group: str | None
+    sessions: int
+
+
+class Active(NamedTuple):
+    """How many active sessions of a group are equally far; `going`: with a sign of life lately."""
+
+    group: str | None
     going: bool
     answered: int
-    steps: int
     sessions: int
+
+
+class Seen(NamedTuple):
+    """The answers of a version's sessions, complete and others apart.
+
+    Attributes:
+        clips: places of the judged clips, joined (`SessionSummary.seen`).
+        answered: steps answered in all; steps: of the longest session.
+    """
+
+    version_id: int
+    complete: bool
+    clips: str
+    answered: int
+    steps: int
 
 
 class Line(NamedTuple):
@@ -63,25 +84,33 @@ class Line(NamedTuple):
 _S, _M = StudySession, SessionSummary
 
 
-def standings(db: Session, scope: Scope, since: datetime) -> list[Standing]:
-    """Counted sessions by all that the charts part them by; `going` are those heard of since."""
+def totals(db: Session, scope: Scope) -> list[Total]:
+    """Counted sessions by state and group."""
+    # As the index has them, so that nothing need be sorted.
+    keys = (_S.state, _S.version_id, _S.group)
+    rows = db.execute(select(*keys, func.count()).where(*_counted(scope)).group_by(*keys))
+    return [Total(state, group, sessions) for state, _, group, sessions in rows]
+
+
+def active(db: Session, scope: Scope, since: datetime) -> list[Active]:
+    """Active counted sessions by group and by how far they are.
+
+    Args:
+        db: where to read.
+        scope: whose sessions.
+        since: `going` are those that gave a sign since then.
+    """
     sign = func.coalesce(_M.last_at, _S.created_at)
-    keys = (
-        _S.state, _S.group, case((sign >= since, 1), else_=0),
-        func.coalesce(_M.answered, 0), func.coalesce(_M.steps, 0),
-    )  # fmt: skip
+    keys = (_S.group, case((sign >= since, 1), else_=0), func.coalesce(_M.answered, 0))
     query = select(*keys, func.count()).outerjoin(_M, _M.session_id == _S.id)
-    rows = db.execute(query.where(*_counted(scope)).group_by(*keys))
-    return [
-        Standing(state, group, bool(going), answered, steps, count)
-        for state, group, going, answered, steps, count in rows
-    ]
+    rows = db.execute(query.where(*_counted(scope), _S.state == "active").group_by(*keys))
+    return [Active(group, bool(going), answered, n) for group, going, answered, n in rows]
 
 
 def excluded_count(db: Session, scope: Scope) -> int:
     """How many sessions a researcher has left out."""
     query = select(func.count()).select_from(_S)
-    return db.scalar(query.where(*_of(scope), _S.excluded.is_not(None))) or 0
+    return db.scalar(query.where(*_few(scope), _S.id.in_(_left_out()))) or 0
 
 
 def durations(db: Session, scope: Scope) -> list[tuple[int, int]]:
@@ -94,16 +123,22 @@ def paces(db: Session, scope: Scope) -> list[tuple[int, int]]:
     return _histogram(db, scope, _M.median_ms)
 
 
-def seen(db: Session, scope: Scope) -> list[tuple[int, bool, str]]:
-    """Version, whether complete, and the clips that its sessions judged, joined to one string."""
-    complete = case((_S.state == "complete", 1), else_=0)
+def seen(db: Session, scope: Scope) -> list[Seen]:
+    """What the counted sessions of each version have answered."""
+    keys = (_S.state, _S.version_id)
     rows = db.execute(
-        select(_S.version_id, complete, func.aggregate_strings(_M.seen, ""))
+        select(
+            *keys, func.aggregate_strings(_M.seen, ""),
+            func.sum(_M.answered), func.max(_M.steps),
+        )
         .join(_M, _M.session_id == _S.id)
         .where(*_counted(scope))
-        .group_by(_S.version_id, complete)
-    )
-    return [(version, bool(is_complete), clips) for version, is_complete, clips in rows]
+        .group_by(*keys)
+    )  # fmt: skip
+    return [
+        Seen(version, state == "complete", clips, answered, steps)
+        for state, version, clips, answered, steps in rows
+    ]
 
 
 def suspicious(
@@ -117,9 +152,10 @@ def suspicious(
         _M.failed > 0,
         _M.hidden_ms > limits.hidden_ms,
     )
-    query = select(_S.id).join(_M, _M.session_id == _S.id).where(*_counted(scope), broken)
-    total = db.scalar(select(func.count()).select_from(query.subquery())) or 0
-    return total, list(db.scalars(query.order_by(_S.created_at.desc(), _S.id).limit(count)))
+    total = func.count().over()
+    query = select(_S.id, total).join(_M, _M.session_id == _S.id).where(*_counted(scope), broken)
+    rows = db.execute(query.order_by(_S.created_at.desc(), _S.id).limit(count)).all()
+    return (rows[0][1] if rows else 0), [row[0] for row in rows]
 
 
 def latest(db: Session, scope: Scope, count: int, offset: int = 0) -> list[uuid.UUID]:
@@ -129,12 +165,22 @@ def latest(db: Session, scope: Scope, count: int, offset: int = 0) -> list[uuid.
     return list(db.scalars(page))
 
 
+def a_plan(db: Session, scope: Scope, version_id: int) -> dict[str, Any] | None:
+    """The plan of one session of a version."""
+    return db.scalar(
+        select(_S.plan)
+        .where(*_of(scope), _S.version_id == version_id, _S.state != "withdrawn")
+        .limit(1)
+    )
+
+
 def marked(db: Session, scope: Scope, count: int) -> list[uuid.UUID]:
     """The sessions that a researcher has left out or marked by hand."""
     found: list[uuid.UUID] = []
     for column in (_S.excluded, _S.flags):
-        query = select(_S.id).where(*_of(scope), column.is_not(None))
-        found += db.scalars(query.order_by(_S.id).limit(count))
+        those = select(_S.id).where(column.is_not(None))
+        query = select(_S.id).where(*_few(scope), _S.id.in_(those))
+        found += db.scalars(query.order_by(_S.created_at.desc(), _S.id).limit(count))
     return list(dict.fromkeys(found))
 
 
@@ -276,10 +322,19 @@ def _of(scope: Scope) -> tuple[ColumnElement[bool], ...]:
     return (_S.study_id == scope.study_id, _S.kind == scope.kind)
 
 
+def _few(scope: Scope) -> tuple[ColumnElement[bool], ...]:
+    """The same for few known sessions: the sum keeps SQLite from going through all of a study."""
+    return (_S.study_id + 0 == scope.study_id, _S.kind == scope.kind)
+
+
+def _left_out() -> Select[Any]:
+    """Of all studies: naming one would make SQLite take a larger index than the one of these."""
+    return select(_S.id).where(_S.excluded.is_not(None))
+
+
 def _counted(scope: Scope) -> tuple[ColumnElement[bool], ...]:
     """By the indexes alone: not to be left out is the rule, so the few exceptions are listed."""
-    left_out = select(_S.id).where(_S.study_id == scope.study_id, _S.excluded.is_not(None))
-    return (*_of(scope), _S.id.not_in(left_out))
+    return (*_of(scope), _S.id.not_in(_left_out()))
 
 
 def _histogram(db: Session, scope: Scope, value: Any) -> list[tuple[int, int]]:  # noqa: ANN401 -- a column

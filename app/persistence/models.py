@@ -332,8 +332,8 @@ class StudySession(Base):
         Index(None, "version_id", "slot"),
         # All that the live page counts by, so that it reads no row: rows hold long plans.
         Index(
-            "ix_sessions_counted", "study_id", "kind", "state", "group", "id", "created_at",
-            "version_id",
+            "ix_sessions_counted", "study_id", "kind", "state", "version_id", "group", "id",
+            "created_at",
         ),
         Index(
             "ix_sessions_excluded", "study_id", "id",

@@ -152,11 +152,23 @@ class DropoutStep(BaseModel):
     left: int
 
 
+class PartStart(BaseModel):
+    """A part of the study begins after so many steps."""
+
+    start: int
+    name: str
+
+
 class Dropout(BaseModel):
-    """Where participants stop, of the `of` that are complete or have left."""
+    """Where participants stop, of the `of` that are complete or have left.
+
+    Attributes:
+        parts: where each part of the study begins, if that is the same for everybody.
+    """
 
     of: int
     steps: list[DropoutStep]
+    parts: list[PartStart]
     sentence: str
 
 
@@ -216,3 +228,67 @@ class LiveView(BaseModel):
     suspicious: SessionList
     marked: SessionList
     latest: SessionList
+
+
+class ReplayFigure(BaseModel):
+    """A figure as it stood on the page; the third of `abx` is X again."""
+
+    glb_url: str | None
+    figure_url: str | None
+    name: str
+
+
+class ToldAnswer(BaseModel):
+    """One value of an answer, in words."""
+
+    label: str
+    value: str
+
+
+class Viewed(BaseModel):
+    """How a trial was viewed, in words."""
+
+    label: str
+    value: str
+
+
+class ReplayStep(BaseModel):
+    """One step of a participant's way, and the newest answer to it.
+
+    Attributes:
+        note: what was special about it: practice, an attention check and whether it held.
+        answers: empty without an answer, and on pages without a question.
+        changed: how often the answer was changed.
+        at: when it was stored; `seconds` since the one before (or since agreeing).
+        camera: [ms since the figures came, azimuth and elevation in degrees, zoom] of the view, as
+            far as it was recorded.
+    """
+
+    index: int
+    part: str
+    kind: str
+    title: str
+    note: str | None
+    figures: list[ReplayFigure]
+    reference: ReplayFigure | None
+    answered: bool
+    answers: list[ToldAnswer]
+    comment: str
+    changed: int
+    rt_ms: float | None
+    at: datetime | None
+    viewed: list[Viewed]
+    camera: list[tuple[float, float, float, float]]
+
+
+class SessionDetail(BaseModel):
+    """One participant's way through the study, step by step."""
+
+    session: SessionLine
+    version: int
+    slot: int | None
+    seed: int | None
+    consented_at: datetime | None
+    completed_at: datetime | None
+    steps: list[ReplayStep]
+    trail: list[AuditLine]

@@ -15,11 +15,12 @@ from sqlalchemy.orm import Session
 
 from app.persistence import live as store
 from app.persistence import studies, study_versions
-from app.persistence.live import Limits, Line, Scope
+from app.persistence.live import Limits, Line, Scope, Seen
 from app.persistence.models import SessionSummary, Study, now
-from app.schemas.live import ClipCount, Kind, LiveView, Mark, SessionLine, SessionList
+from app.schemas.live import ClipCount, Kind, LiveView, Mark, PartStart, SessionLine, SessionList
 from app.schemas.study import StudyDefinition
 from app.services import live_numbers
+from app.services.plans import planned_steps
 from app.services.rights import Access
 from app.services.studies import definition_of, running_of
 from app.services.summaries import places
@@ -40,14 +41,15 @@ def overview(db: Session, access: Access, kind: Kind = "participant", page: int 
     study = studies.by_id(db, access.study_id)
     running, scope = running_of(study), Scope(study.id, kind)
     since = now() - timedelta(minutes=running.lease_minutes)
-    standings = store.standings(db, scope, since)
+    totals, active = store.totals(db, scope), store.active(db, scope, since)
+    seen = store.seen(db, scope)
     definitions = _definitions(db, study)
     newest = next(iter(definitions.values()), None)
-    counts = live_numbers.counts(standings, store.excluded_count(db, scope))
-    clips = _clips(db, scope, definitions)
+    counts = live_numbers.counts(totals, active, seen, store.excluded_count(db, scope))
+    clips = _clips(seen, definitions)
     groups = _groups(newest)
     lists = _lists(db, scope, since, groups, page)
-    begun = sum(one.sessions for one in standings if one.state != "withdrawn")
+    begun = sum(one.sessions for one in totals if one.state != "withdrawn")
     return LiveView(
         slug=study.slug,
         title=study.title,
@@ -56,8 +58,8 @@ def overview(db: Session, access: Access, kind: Kind = "participant", page: int 
         quota=running.quota if kind == "participant" else None,
         lease_minutes=running.lease_minutes,
         counts=counts,
-        groups=live_numbers.by_group(standings, groups),
-        dropout=live_numbers.dropout(standings),
+        groups=live_numbers.by_group(totals, active, groups),
+        dropout=live_numbers.dropout(counts.complete, active, seen, _parts(db, scope, definitions)),
         durations=live_numbers.durations(store.durations(db, scope)),
         clips=clips,
         clips_sentence=live_numbers.clips_sentence(clips),
@@ -144,9 +146,17 @@ def _groups(definition: StudyDefinition | None) -> dict[str, str]:
     return {group.id: group.label for group in definition.groups} if definition else {}
 
 
-def _clips(
+def _parts(
     db: Session, scope: Scope, definitions: Mapping[int, StudyDefinition]
-) -> list[ClipCount]:
+) -> list[PartStart]:
+    """Where the parts begin, as long as there is one version."""
+    if len(definitions) != 1:
+        return []
+    ((version, definition),) = definitions.items()
+    return live_numbers.part_starts(definition, planned_steps(store.a_plan(db, scope, version)))
+
+
+def _clips(seen: Sequence[Seen], definitions: Mapping[int, StudyDefinition]) -> list[ClipCount]:
     """How often each clip was judged, those of the newest version first."""
     known = {version: list(places(one)) for version, one in definitions.items()}
     labels: dict[str, str] = {}
@@ -155,4 +165,4 @@ def _clips(
             for shown in part.stimuli:
                 if shown.clip is not None:
                     labels.setdefault(shown.clip, str(shown.label or shown.name or shown.clip))
-    return live_numbers.clip_counts(store.seen(db, scope), known, labels)
+    return live_numbers.clip_counts(seen, known, labels)

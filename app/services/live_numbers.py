@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import accumulate
+from typing import Any
 
-from app.persistence.live import Standing
+from app.persistence.live import Active, Seen, Total
 from app.schemas.live import (
     ClipCount,
     Dropout,
@@ -15,8 +16,10 @@ from app.schemas.live import (
     Durations,
     GroupCounts,
     LiveCounts,
+    PartStart,
     Stands,
 )
+from app.schemas.study import StudyDefinition
 from app.services.summaries import counted
 
 WIDTHS = (5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600, 7200, 21_600, 86_400)  # seconds
@@ -24,7 +27,7 @@ MOST_BINS = 24
 EVERYBODY = "Everybody"
 
 
-def stands(state: str, going: bool) -> Stands:
+def stands(state: str, going: bool = False) -> Stands:
     """Where somebody stands, by the session's state and by whether there was a sign lately."""
     if state == "active":
         return "under_way" if going else "left_early"
@@ -33,30 +36,36 @@ def stands(state: str, going: bool) -> Stands:
     return "complete" if state == "complete" else "withdrawn"
 
 
-def counts(standings: Sequence[Standing], excluded: int) -> LiveCounts:
+def counts(
+    totals: Sequence[Total], active: Sequence[Active], seen: Sequence[Seen], excluded: int
+) -> LiveCounts:
     """How many stand where in all."""
-    found = Counter[Stands]()
-    for one in standings:
-        found[stands(one.state, one.going)] += one.sessions
+    found = Counter[str]()
+    for one in totals:
+        found[one.state] += one.sessions
+    going = sum(one.sessions for one in active if one.going)
     return LiveCounts(
         complete=found["complete"],
-        under_way=found["under_way"],
-        left_early=found["left_early"],
-        ended_early=found["ended_early"],
+        under_way=going,
+        left_early=sum(one.sessions for one in active) - going,
+        ended_early=found["screened_out"] + found["failed_attention"],
         withdrawn=found["withdrawn"],
         excluded=excluded,
-        answers=sum(one.answered * one.sessions for one in standings),
+        answers=sum(one.answered for one in seen),
     )
 
 
-def by_group(standings: Sequence[Standing], labels: Mapping[str, str]) -> list[GroupCounts]:
+def by_group(
+    totals: Sequence[Total], active: Sequence[Active], labels: Mapping[str, str]
+) -> list[GroupCounts]:
     """The same by group, in the definition's order; one row of everybody where there are none."""
     names: list[str | None] = [*labels] or [None]
     found: dict[str | None, Counter[Stands]] = {name: Counter() for name in names}
-    for one in standings:
-        if one.state != "withdrawn":  # of whom nothing is known, the group neither
-            group = found.setdefault(one.group, Counter())
-            group[stands(one.state, one.going)] += one.sessions
+    told = [(one.group, stands(one.state), one.sessions) for one in totals if one.state != "active"]
+    told += [(one.group, stands("active", one.going), one.sessions) for one in active]
+    for group, where, sessions in told:
+        if where != "withdrawn":  # of whom nothing is known, the group neither
+            found.setdefault(group, Counter())[where] += sessions
     without = "No group" if labels else EVERYBODY
     return [
         GroupCounts(
@@ -71,25 +80,39 @@ def by_group(standings: Sequence[Standing], labels: Mapping[str, str]) -> list[G
     ]
 
 
-def dropout(standings: Sequence[Standing]) -> Dropout:
+def dropout(
+    complete: int, active: Sequence[Active], seen: Sequence[Seen], parts: Sequence[PartStart] = ()
+) -> Dropout:
     """How many are still there after each step, of those who are complete or have left."""
-    complete, left = 0, Counter[int]()
-    for one in standings:
-        where = stands(one.state, one.going)
-        if where == "complete":
-            complete += one.sessions
-        elif where == "left_early":
+    left = Counter[int]()
+    for one in active:
+        if not one.going:
             left[one.answered] += one.sessions
     total = complete + left.total()
-    length = max((max(one.steps, one.answered) for one in standings), default=0)
+    length = max((one.steps for one in seen), default=0)
     gone = accumulate((left[answered] for answered in range(length)), initial=0)
     steps = [
         DropoutStep(answered=answered, still=total - before, left=left[answered])
         for answered, before in enumerate(gone)
     ]
     return Dropout(
-        of=total, steps=steps if total and length else [], sentence=_left_where(left, total)
+        of=total,
+        steps=steps if total and length else [],
+        parts=list(parts),
+        sentence=_left_where(left, total),
     )
+
+
+def part_starts(definition: StudyDefinition, plan: Sequence[Mapping[str, Any]]) -> list[PartStart]:
+    """Where each part begins in a plan; none where participants go different ways."""
+    if definition.groups or definition.blocks:
+        return []
+    names = [step["part"] for step in plan]
+    return [
+        PartStart(start=at, name=name)
+        for at, name in enumerate(names)
+        if at == 0 or (name != names[at - 1] and name not in names[:at])
+    ]
 
 
 def durations(histogram: Sequence[tuple[int, int]]) -> Durations:
@@ -105,21 +128,21 @@ def durations(histogram: Sequence[tuple[int, int]]) -> Durations:
 
 
 def clip_counts(
-    seen: Iterable[tuple[int, bool, str]],
+    seen: Iterable[Seen],
     places: Mapping[int, Sequence[str]],
     labels: Mapping[str, str],
 ) -> list[ClipCount]:
     """How often each clip was judged.
 
     Args:
-        seen: version, whether complete, and the joined places of the judged clips.
+        seen: what the sessions of each version have judged.
         places: version to its clips, in the order of their places.
         labels: the clips to be listed, in their order.
     """
     found: dict[bool, Counter[str]] = {True: Counter(), False: Counter()}
-    for version, complete, text in seen:
-        for place, times in counted(text).items():
-            found[complete][places[version][place]] += times
+    for one in seen:
+        for place, times in counted(one.clips).items():
+            found[one.complete][places[one.version_id][place]] += times
     return [
         ClipCount(clip=clip, label=label, complete=found[True][clip], others=found[False][clip])
         for clip, label in labels.items()

@@ -19,7 +19,7 @@ depends_on = None
 JSON = sa.JSON(none_as_null=True)
 TIME = sa.DateTime(timezone=True)
 ASKED = ("question", "hint", "comment", "scales", "steps")
-COUNTED_BY = ["study_id", "kind", "state", "group", "id", "created_at", "version_id"]
+COUNTED_BY = ["study_id", "kind", "state", "version_id", "group", "id", "created_at"]
 OF_SESSIONS = (
     sa.Column("kind", sa.String(20), nullable=False, server_default="participant"),
     sa.Column("slot", sa.Integer(), nullable=True),
