@@ -24,6 +24,7 @@ def make_templates(assets: Assets) -> Jinja2Templates:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.policies["json.dumps_kwargs"] = {"sort_keys": True, "ensure_ascii": False}
     environment.globals["asset"] = assets.tags
     return Jinja2Templates(env=environment)
 

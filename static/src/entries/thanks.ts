@@ -1,4 +1,5 @@
 import "../styles/participant.css";
+import "../styles/participant-ends.css";
 import { Store } from "../participant/store";
 import { hasWebGL } from "../viewer/support";
 import { t } from "../words";

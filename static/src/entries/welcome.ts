@@ -1,4 +1,5 @@
 import "../styles/participant.css";
+import "../styles/participant-ends.css";
 import { showLocalTimes } from "../participant/local_time";
 import { hasWebGL } from "../viewer/support";
 
