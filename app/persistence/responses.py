@@ -204,7 +204,7 @@ def engines(session: Session, clips: Iterable[str]) -> dict[str, str]:
     rows = session.execute(
         select(ClipRecord.id, ClipRecord.engine_version).where(ClipRecord.id.in_(set(clips)))
     )
-    return dict(row._tuple() for row in rows)
+    return {clip: engine for clip, engine in rows}  # noqa: C416 -- a row is no pair for mypy
 
 
 def _superseded() -> ColumnElement[bool]:

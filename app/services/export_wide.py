@@ -70,18 +70,38 @@ def _pages_and_trials(versions: Sequence[Version]) -> Iterator[list[WideField]]:
     asked: dict[str, list[tuple[str, Measure]]] = {}
     for name, measure in named_measures(versions):
         asked.setdefault(measure.part, []).append((name, measure))
-    parts = [part for version in versions for part in version.definition.trials]
-    names = Counter(
-        name for name, _ in {(one.name, part.id) for part in parts for one in part.stimuli}
-    )
-    for part_id, values in asked.items():
+    groups = _groups(versions)
+    names = dict(zip(groups, unlike(one.name for one in groups.values()), strict=True))
+    for part, values in asked.items():
         if not values[0][1].of_clips:
             yield [_of_page(name, measure, versions) for name, measure in values]
-            continue
-        seen: set[Key] = set()
-        own = [part for part in parts if part.id == part_id]
-        for part in own:
-            yield from _units(part, [one for _, one in values], versions, names, seen)
+        for key, group in groups.items():
+            if key[0] == part:
+                begun = group._replace(name=names[key])
+                yield _of_group(key, begun, [measure for _, measure in values], versions)
+
+
+class Group(NamedTuple):
+    """Clips that stand together in a trial: how its columns begin, and what they are about."""
+
+    name: str
+    label: str
+    clips: list[Stimulus]
+
+
+def _groups(versions: Sequence[Version]) -> dict[Key, Group]:
+    """Each trial of each part; clips that are in several parts have the part's name before them."""
+    parts = [part for version in versions for part in version.definition.trials]
+    used = Counter(name for name, _ in {(one.name, p.id) for p in parts for one in p.stimuli})
+    found: dict[Key, Group] = {}
+    for part in parts:
+        every = [[part.stimuli[place] for place in unit] for unit in units(part)]
+        for number, clips in enumerate(every, 1):
+            name, label = _named(part, clips, number, len(every))
+            alone = all(used[one.name] == 1 for one in clips) or len(clips) == len(part.stimuli) > 2
+            key = part.id, frozenset(one.clip or "" for one in clips)
+            found.setdefault(key, Group(name if alone else f"{part.id}__{name}", label, clips))
+    return found
 
 
 def _of_page(name: str, measure: Measure, versions: Sequence[Version]) -> WideField:
@@ -89,59 +109,34 @@ def _of_page(name: str, measure: Measure, versions: Sequence[Version]) -> WideFi
     return WideField(column_of(measure, name, versions), _reader(key, measure, None))
 
 
-def _units(
-    part: Trials,
-    asked: list[Measure],
-    versions: Sequence[Version],
-    names: Counter[str | None],
-    seen: set[Key],
-) -> Iterator[list[WideField]]:
-    """The columns of each trial of a part; `seen` are those of newer versions."""
-    every = [[part.stimuli[place] for place in unit] for unit in units(part)]
-    for number, together in enumerate(every, 1):
-        key = part.id, frozenset(one.clip or "" for one in together)
-        if key in seen:
-            continue
-        seen.add(key)
-        before = "" if all(names[one.name] == 1 for one in together) else f"{part.id}__"
-        name, label = _named(part, together, number, len(every))
-        yield [
-            _place(key, f"{before}{name}__order", label),
-            *(
-                field
-                for measure in asked
-                for field in _answers(key, measure, before + name, label, together, versions)
-            ),
-        ]
+def _of_group(
+    key: Key, group: Group, asked: list[Measure], versions: Sequence[Version]
+) -> list[WideField]:
+    fields = [_place(key, f"{group.name}__order", group.label)]
+    for measure in asked:
+        fields += _answers(key, measure, group, versions)
+    return fields
 
 
 def _answers(
-    key: Key,
-    measure: Measure,
-    name: str,
-    label: str,
-    together: list[Stimulus],
-    versions: Sequence[Version],
+    key: Key, measure: Measure, group: Group, versions: Sequence[Version]
 ) -> Iterator[WideField]:
     if measure.trial_type not in EACH_FIGURE:
-        column = column_of(measure, f"{name}__{measure.id}", versions, label)
+        column = column_of(measure, f"{group.name}__{measure.id}", versions, group.label)
         yield WideField(column, _reader(key, measure, None))
         return
-    for one in together:
-        column = column_of(
-            measure, f"{name}__{_word(one.name)}__{measure.id}", versions,
-            str(one.label or one.name),
-        )  # fmt: skip
-        yield WideField(column, _reader(key, measure, one.clip))
+    for one in group.clips:
+        label = str(one.label or one.name)
+        name = f"{group.name}__{_word(one.name)}__{measure.id}"
+        yield WideField(column_of(measure, name, versions, label), _reader(key, measure, one.clip))
 
 
-def _named(part: Trials, together: list[Stimulus], number: int, of: int) -> tuple[str, str]:
-    """How the columns of a trial begin, and what they are said to be about."""
-    label = " / ".join(str(one.label or one.name) for one in together)
+def _named(part: Trials, clips: list[Stimulus], number: int, of: int) -> tuple[str, str]:
+    label = " / ".join(str(one.label or one.name) for one in clips)
     if part.task.kind in OF_ONE:
-        return _word(together[0].name), label
+        return _word(clips[0].name), label
     if part.task.kind in OF_TWO:
-        return "_vs_".join(_word(one.name) for one in together), label
+        return "_vs_".join(_word(one.name) for one in clips), label
     return (part.id, str(part.task.question)) if of == 1 else (f"{part.id}_{number}", label)
 
 

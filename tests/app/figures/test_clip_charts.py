@@ -8,7 +8,7 @@ from app.figures import theme
 from app.figures.clips import AxisWords, ClipOnAxis, intervals, shares
 from app.figures.render import svg
 
-WORDS = AxisWords("sad", "happy", ("very", "rather", "neither", "rather", "very"))
+WORDS = AxisWords("sad", "happy", ("very", "rather", "neither", "rather", "very"), -2, 2)
 CLIPS = [
     ClipOnAxis("happy, male", 1.25, 0.8, 1.7, [0.0, 0.0, 0.25, 0.25, 0.5]),
     ClipOnAxis("sad, female", -1.5, -1.9, -1.1, [0.5, 0.5, 0.0, 0.0, 0.0]),
@@ -78,7 +78,7 @@ def test_shares_are_written_on_their_bars_and_means_beside():
 
 
 def test_a_pole_with_an_apostrophe_does_not_break_the_axis():
-    words = AxisWords("can't tell", "o'clock", WORDS.steps)
+    words = AxisWords("can't tell", "o'clock", WORDS.steps, -2, 2)
     drawn = set(ET.fromstring(svg(intervals(CLIPS, words, "light", 500))).itertext())
     assert {"2 can't tell", "2 o'clock"} <= drawn
 

@@ -63,7 +63,7 @@ def test_the_page_leads_to_every_download_and_says_what_it_is_for(signed_in, stu
     # The codebook for programs is in the dataset's description; the menu has the one for people.
     assert {link for link, _ in links} == {
         f"{PAGE}/{file}" for file in FILES if file != "codebook.json"
-    }
+    } | {f"{PAGE}/recruiting.csv"}
     assert len({purpose for _, purpose in links}) == len(links)
 
 

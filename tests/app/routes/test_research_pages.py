@@ -64,7 +64,7 @@ def test_the_page_carries_two_charts_an_axis_in_two_modes(signed_in, answered):
     text = signed_in.get(PAGE).text
     (charts,) = re.findall(r'<script type="application/json" id="charts">(.*?)</script>', text)
     charts = json.loads(charts)
-    axes = [scale.id for scale in emotion.SCALES]
+    axes = [scale["id"] for scale in emotion.SCALES]
     assert set(charts) == {f"{kind}-{axis}" for kind in ("shares", "means") for axis in axes}
     assert all(set(modes) == {"light", "dark"} for modes in charts.values())
 

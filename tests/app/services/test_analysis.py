@@ -16,11 +16,13 @@ import pytest
 
 from app.persistence import schema
 from app.persistence.engine import Database, make_engine
+from app.schemas.study import StudyDefinition
 from app.services import analysis, answers, exports, psych_ds, results, sessions
+from app.services.versions import Version
 from app.studies import emotion
 from tests.support.simulate import add_study, answer_with, directly, simulate, take_part
 
-NEUTRAL = dict.fromkeys((scale.id for scale in emotion.SCALES), 0)
+NEUTRAL = dict.fromkeys((scale["id"] for scale in emotion.SCALES), 0)
 COMMENTS = ('=1+1,"NA"\n#', "\r=x", "-2", "", "NA", "'", "歩く\u202e", "a;b\tc")
 NUMBERS = (
     "mean", "others", "difference", "t", "df", "p", "p_holm", "d", "d_low", "d_high",
@@ -55,8 +57,8 @@ def database(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def definition(database):
-    return exports.exported(database, emotion.SLUG).definition
+def found(database):
+    return exports.exported(database, emotion.SLUG)
 
 
 @pytest.fixture
@@ -71,10 +73,10 @@ def shown(database):
 
 
 @pytest.fixture
-def folder(database, definition, tmp_path):
+def folder(database, found, tmp_path):
     """The long table, as it is downloaded, and nothing else."""
-    text = "".join(exports.responses_csv(database, definition.slug))
-    (tmp_path / analysis.answers_file(definition)).write_text(text, "utf-8", newline="")
+    text = "".join(exports.responses_csv(found))
+    (tmp_path / analysis.answers_file(found)).write_text(text, "utf-8", newline="")
     return tmp_path
 
 
@@ -83,9 +85,9 @@ def code_of(notebook):
 
 
 def run_notebook(notebook, folder):
-    """All code cells in a process of their own; the two tables that they made."""
-    tables = '{"means": means.to_dict("records"), "poles": poles.to_dict("records")}'
-    tell = f"import json\nprint(json.dumps({tables}))"
+    """All code cells in a process of their own; the tables that they made."""
+    tables = ", ".join(f'"{one}": {one}.to_dict("records")' for one in ("means", "shares", "poles"))
+    tell = f"import json\nprint(json.dumps({{{tables}}}))"
     done = subprocess.run(
         [sys.executable, "-W", "error", "-c", f"{code_of(notebook)}\n{tell}"],
         cwd=folder, env={**os.environ, "PYTHONPATH": ""},
@@ -124,8 +126,8 @@ def hold_against_page(found, page):
 
 
 @pytest.mark.parametrize("against", ["others", "all"])
-def test_the_notebook_finds_the_pages_numbers(definition, folder, shown, against):
-    notebook = analysis.notebook(definition)
+def test_the_notebook_finds_the_pages_numbers(found, folder, shown, against):
+    notebook = analysis.notebook(found)
     for cell in notebook["cells"]:
         cell["source"] = cell["source"].replace('AGAINST = "others"', f'AGAINST = "{against}"')
     assert f'AGAINST = "{against}"' in code_of(notebook)
@@ -133,49 +135,50 @@ def test_the_notebook_finds_the_pages_numbers(definition, folder, shown, against
 
 
 @pytest.mark.parametrize("against", ["others", "all"])
-def test_the_r_script_finds_the_pages_numbers(definition, folder, shown, against):
+def test_the_r_script_finds_the_pages_numbers(found, folder, shown, against):
     if not shutil.which("Rscript"):
         pytest.skip("R is not installed here; the script's form is tested all the same")
-    script = analysis.r_script(definition).replace('against <- "others"', f'against <- "{against}"')
+    script = analysis.r_script(found).replace('against <- "others"', f'against <- "{against}"')
     hold_against_page(run_r(script, folder), shown(against))
 
 
-def test_in_the_dataset_both_read_the_participants_files(database, definition, shown, tmp_path):
+def test_in_the_dataset_both_read_the_participants_files(database, found, shown, tmp_path):
     archive = tmp_path / "dataset.zip"
-    archive.write_bytes(b"".join(psych_ds.dataset_zip(database, definition.slug)))
+    archive.write_bytes(b"".join(psych_ds.dataset_zip(found)))
     with zipfile.ZipFile(archive) as opened:
         opened.extractall(tmp_path)
-    folder = tmp_path / definition.slug / "analysis"
+    folder = tmp_path / emotion.SLUG / "analysis"
     notebook = json.loads((folder / "analysis.ipynb").read_text("utf-8"))
     hold_against_page(run_notebook(notebook, folder), shown())
     if shutil.which("Rscript"):
         hold_against_page(run_r((folder / "analysis.R").read_text("utf-8"), folder), shown())
 
 
-def test_everybody_answering_the_middle_stops_neither(definition, folder):
-    table = folder / analysis.answers_file(definition)
+def test_everybody_answering_the_middle_stops_neither(found, folder):
+    table = folder / analysis.answers_file(found)
     with table.open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     with table.open("w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, list(rows[0]))
         writer.writeheader()
         writer.writerows(row | dict.fromkeys(NEUTRAL, 0) for row in rows)
-    found = [run_notebook(analysis.notebook(definition), folder)]
+    made = [run_notebook(analysis.notebook(found), folder)]
     if shutil.which("Rscript"):
-        found.append(run_r(analysis.r_script(definition), folder))
-    for tables in found:
+        made.append(run_r(analysis.r_script(found), folder))
+    for tables in made:
         assert {float(row["difference"]) for row in tables["poles"]} == {0.0}
         assert {str(row["p_holm"]).lower() for row in tables["poles"]} <= {"nan", "na"}
 
 
-def test_pandas_opens_the_table_without_options(database, definition, folder):
-    read = pd.read_csv(folder / analysis.answers_file(definition))
+def test_pandas_opens_the_table_without_options(database, found, folder):
+    read = pd.read_csv(folder / analysis.answers_file(found))
     written = [json.loads(line) for line in lines_of(database)]
     assert len(read) == len(written)
-    for column in exports.codebook(database, definition.slug).columns:
+    for column in exports.codebook(found).columns:
         if column.type in ("integer", "number"):
             assert pd.api.types.is_numeric_dtype(read[column.name]), column.name
-            assert list(read[column.name]) == [row[column.name] for row in written]
+            given = [np.nan if row[column.name] is None else row[column.name] for row in written]
+            assert np.array_equal(read[column.name], np.array(given, float), equal_nan=True)
     assert set(COMMENTS) - {"", "NA"} == {
         comment.removeprefix("'") if comment != "'" else comment
         for comment in read["comment"].dropna()
@@ -183,28 +186,29 @@ def test_pandas_opens_the_table_without_options(database, definition, folder):
 
 
 def lines_of(database):
-    return b"".join(exports.responses_jsonl(database, emotion.SLUG)).splitlines()
+    return b"".join(exports.responses_jsonl(exports.exported(database, emotion.SLUG))).splitlines()
 
 
-def test_the_notebook_is_a_valid_one_without_outputs(definition):
-    text = json.dumps(analysis.notebook(definition))
+def test_the_notebook_is_a_valid_one_without_outputs(found):
+    text = json.dumps(analysis.notebook(found))
     notebook = nbformat.reads(text, as_version=nbformat.NO_CONVERT)
     nbformat.validate(notebook)
     kinds = [cell.cell_type for cell in notebook.cells]
-    assert kinds == ["markdown", "code"] * 4
+    assert kinds == ["markdown", "code"] * 5
     assert all(cell.outputs == [] for cell in notebook.cells if cell.cell_type == "code")
 
 
-def test_the_r_scripts_brackets_and_strings_are_closed(definition):
-    script = analysis.r_script(definition)
+def test_the_r_scripts_brackets_and_strings_are_closed(found):
+    script = analysis.r_script(found)
     bare = re.sub(r'"(?:[^"\\\n]|\\.)*"', "", script)  # without its strings
     bare = "\n".join(line.partition("#")[0] for line in bare.splitlines())
     assert '"' not in bare
     for opening, closing in ("()", "{}", "[]"):
         assert bare.count(opening) == bare.count(closing) > 0
-    for scale in definition.scales:
-        assert f'"{scale.id}" = c("{scale.left}", "{scale.right}")' in script
-    assert all(f'"{clip.clip}"' in script for clip in definition.stimuli)
+    (part,) = found.newest.definition.trials
+    for scale in part.task.scales:
+        assert f'"{scale.id}" = c("emotions", "{scale.left}", "{scale.right}")' in script
+    assert all(f'"{clip.clip}"' in script for clip in part.stimuli)
 
 
 HOSTILE = (
@@ -215,28 +219,20 @@ HOSTILE = (
 )
 
 
-def test_no_word_of_a_study_becomes_code(definition, folder):
-    scales = [
-        scale.model_copy(update={"left": text})
-        for scale, text in zip(definition.scales, HOSTILE, strict=False)
-    ]
-    clips = [
-        clip.model_copy(update={"label": text, "body": text})
-        for clip, text in zip(definition.stimuli, HOSTILE, strict=False)
-    ]
-    odd = definition.model_copy(
-        update={
-            "title": HOSTILE[1],
-            "scales": (*scales, *definition.scales[4:]),
-            "stimuli": (*clips, *definition.stimuli[4:]),
-        }
-    )
-    found = run_notebook(analysis.notebook(odd), folder)
-    told = [text.replace("\0", "") for text in HOSTILE]
-    assert [row["pole"] for row in found["poles"][:8:2]] == told
-    assert [row["clip"] for row in found["means"][:4]] == told
+def test_no_word_of_a_study_becomes_code(found, folder):
+    told = found.newest.definition.model_dump(mode="json")
+    told["title"] = HOSTILE[1]
+    (part,) = told["parts"]
+    for scale, clip, text in zip(part["task"]["scales"], part["stimuli"], HOSTILE, strict=False):
+        scale["left"] = clip["label"] = clip["body"] = text
+    version = Version.of(1, "0" * 64, StudyDefinition.model_validate(told), {})
+    odd = found._replace(versions={1: version})
+    tables = run_notebook(analysis.notebook(odd), folder)
+    seen = [text.replace("\0", "").strip() for text in HOSTILE]
+    assert [row["pole"] for row in tables["poles"][:8:2]] == seen
+    assert [row["clip"] for row in tables["means"][:4]] == seen
     script = analysis.r_script(odd)
-    assert len(script.splitlines()) == len(analysis.r_script(definition).splitlines())
+    assert len(script.splitlines()) == len(analysis.r_script(found).splitlines())
     if shutil.which("Rscript"):
         run_r(script, folder)
     assert not (folder / "harmed").exists()

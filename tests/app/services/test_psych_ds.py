@@ -15,11 +15,12 @@ import numpy as np
 import pytest
 
 from app.persistence.engine import Database
+from app.schemas.study import StudyDefinition
 from app.services import answers, exports, psych_ds, sessions
 from app.studies import emotion
-from tests.support.simulate import add_study, answer_with, directly, simulate, take_part
+from tests.support.simulate import add_study, answer_with, begin, directly, simulate, take_part
 
-NEUTRAL = dict.fromkeys((scale.id for scale in emotion.SCALES), 0)
+NEUTRAL = dict.fromkeys((scale["id"] for scale in emotion.SCALES), 0)
 DATAFILE = re.compile(r"([a-z]+-[a-zA-Z0-9]+)(_[a-z]+-[a-zA-Z0-9]+)*_data\.csv")
 KEYWORDS = {
     "study", "site", "subject", "session", "task", "condition", "trial", "stimulus", "description",
@@ -48,7 +49,7 @@ def withdrawn(db, database):
     write, generator = directly(db), np.random.default_rng(2)
     simulate(write, 3)
     take_part(write, generator, answered=4)
-    token = sessions.begin(db, emotion.SLUG, "1", "Mobile")
+    token = begin(write, user_agent="Mobile")
     answers.record(db, token, answer_with(NEUTRAL, 0, comment='=1+1,"\r\n'))
     gone = take_part(write, generator)
     pseudonym = str(sessions.open_session(db, gone).id)
@@ -57,7 +58,9 @@ def withdrawn(db, database):
 
 
 def archive_of(database):
-    return zipfile.ZipFile(io.BytesIO(b"".join(psych_ds.dataset_zip(database, emotion.SLUG))))
+    return zipfile.ZipFile(
+        io.BytesIO(b"".join(psych_ds.dataset_zip(exports.exported(database, emotion.SLUG))))
+    )
 
 
 def dataset(database):
@@ -132,7 +135,9 @@ def test_a_dataset_that_nobody_answered_yet_keeps_them_too(db, database):
 
 
 def test_the_participants_files_together_are_the_long_table(db, database, withdrawn):
-    rows = rows_of("".join(exports.responses_csv(database, emotion.SLUG)).encode())
+    rows = rows_of(
+        "".join(exports.responses_csv(exports.exported(database, emotion.SLUG))).encode()
+    )
     files = data_files(dataset(database))
     assert len(files) == 5
     for name, content in files.items():
@@ -165,11 +170,12 @@ def test_its_codebook_and_description_tell_the_same(db, database, withdrawn):
 
 def test_the_study_in_it_is_the_one_that_was_run(db, database):
     files = dataset(database)
-    study = exports.exported(database, emotion.SLUG)
-    assert study.definition.model_validate_json(files["materials/study.json"]) == study.definition
+    run = exports.exported(database, emotion.SLUG).newest
+    told = StudyDefinition.model_validate_json(files["materials/study-version-1.json"])
+    assert told == run.definition
     described = json.loads(files["dataset_description.json"])
-    assert described["version"] == study.study.definition_hash == study.definition.content_hash
-    assert study.definition.content_hash.encode() in files["README.md"]
+    assert described["version"] == run.hash == told.content_hash
+    assert told.content_hash.encode() in files["README.md"]
 
 
 def test_it_is_sent_while_it_is_made(db, database, monkeypatch):
@@ -184,7 +190,7 @@ def test_it_is_sent_while_it_is_made(db, database, monkeypatch):
     monkeypatch.setattr(exports.Exported, "rows", rows_counted)
     monkeypatch.setattr(psych_ds, "PIECE", 4_000)
     pieces, seen = [], []
-    for piece in psych_ds.dataset_zip(database, emotion.SLUG):
+    for piece in psych_ds.dataset_zip(exports.exported(database, emotion.SLUG)):
         pieces.append(piece)
         seen.append(len(read))
     assert len(pieces) > 5

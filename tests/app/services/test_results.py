@@ -12,9 +12,9 @@ from app.errors import NotFoundError
 from app.persistence.engine import Database
 from app.services import answers, exports, results, sentences, sessions
 from app.studies import emotion
-from tests.support.simulate import add_study, answer_with, directly, simulate, take_part
+from tests.support.simulate import add_study, answer_with, begin, directly, simulate, take_part
 
-NEUTRAL = dict.fromkeys((scale.id for scale in emotion.SCALES), 0)
+NEUTRAL = dict.fromkeys((scale["id"] for scale in emotion.SCALES), 0)
 
 
 @pytest.fixture
@@ -39,7 +39,7 @@ def study(db):
 
 
 def analysed_rows(database):
-    text = "".join(exports.responses_csv(database, emotion.SLUG))
+    text = "".join(exports.responses_csv(exports.exported(database, emotion.SLUG)))
     rows = list(csv.DictReader(io.StringIO(text)))
     return [
         row
@@ -149,7 +149,7 @@ def check_paired(row, rows, rest, best, sign):
 
 
 def test_the_counts_follow_from_the_csv(db, database, study):
-    text = "".join(exports.responses_csv(database, emotion.SLUG))
+    text = "".join(exports.responses_csv(exports.exported(database, emotion.SLUG)))
     rows = list(csv.DictReader(io.StringIO(text)))
     counts = results.counts(db, emotion.SLUG)
     assert counts.answers == len(rows) == 8 * 22 + 1 + 12 + 22  # 1: the earlier revision
@@ -201,7 +201,7 @@ def test_a_study_that_nobody_took_has_empty_results(db):
 def test_everybody_answering_the_middle_gives_no_test_and_no_error(db):
     add_study(db)
     for _ in range(5):
-        token = sessions.begin(db, emotion.SLUG, "1")
+        token = begin(directly(db))
         for index in range(22):
             answers.record(db, token, answer_with(NEUTRAL, index))
         sessions.complete(db, token)
@@ -216,7 +216,7 @@ def test_an_unknown_study_is_said_to_be_unknown(db, database):
     for asked in (
         lambda: results.results(db, "nothing"),
         lambda: results.counts(db, "nothing"),
-        lambda: exports.responses_csv(database, "nothing"),
+        lambda: exports.exported(database, "nothing"),
     ):
         with pytest.raises(NotFoundError) as caught:
             asked()
