@@ -132,6 +132,21 @@ def make_set(
 
 
 @app.command()
+def sweep() -> None:
+    """Delete the answers whose study's retention time is over. The server does it once a day."""
+    from app.persistence.writer import Writer
+    from app.services import retention
+
+    database = _prepared_database(Settings())
+    writer = Writer(database)
+    try:
+        deleted = retention.sweep(database, writer)
+    finally:
+        writer.close()
+    typer.echo(f"Deleted: {deleted} participants.")
+
+
+@app.command()
 def openapi() -> None:
     """Print the API's OpenAPI document, from which the front end's types are generated."""
     from app.main import create_app

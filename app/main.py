@@ -27,6 +27,7 @@ from app.routes import (
     imports,
     keys,
     library,
+    live,
     media,
     pages,
     participant,
@@ -48,6 +49,7 @@ from app.security import (
 from app.services.downloads import ClipFiles
 from app.services.job_pool import JobPool
 from app.services.job_runner import JobRunner
+from app.services.keeper import Keeper
 from app.services.keys import KeyUses
 from app.services.media import MediaStore
 from app.settings import PROJECT, Settings
@@ -68,6 +70,8 @@ ROUTERS = (
     participant.router,
     sessions_api.router,
     builder.router,
+    live.router,
+    live.api,
     research.router,
     research.api,
     studies_api.api,
@@ -117,7 +121,9 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     app.state.clip_files = ClipFiles(app.state.database, app.state.workers)
     pool = JobPool(app.state.settings.scheduler)
     app.state.jobs = JobRunner(app.state.database, app.state.writer, pool)
+    app.state.keeper = Keeper(app.state.database, app.state.writer)
     yield
+    app.state.keeper.close()
     app.state.jobs.close()
     app.state.workers.close()
     app.state.writer.close()  # what was handed in is still stored

@@ -282,8 +282,9 @@ class ReplayStep(BaseModel):
 
 
 class SessionDetail(BaseModel):
-    """One participant's way through the study, step by step."""
+    """One participant's way through the study (its title), step by step."""
 
+    study: str
     session: SessionLine
     version: int
     slot: int | None

@@ -47,6 +47,7 @@ def replay(db: Session, access: Access, session_id: UUID) -> SessionDetail:
     definition = definition_of(session.version)
     rows = store.answers_of(db, session_id)
     return SessionDetail(
+        study=session.study.title,
         session=line,
         version=session.version.number,
         slot=session.slot,

@@ -48,7 +48,7 @@ WRITING = [call for call in GUARDED if call not in READING]
 
 def call(client: TestClient, method: str, path: str, **headers: str) -> Response:
     """Calls with nothing in the body and numbers that nobody has."""
-    for name in ("clip_id", "graph_id", "job_id", "pose_id", "name", "slug"):
+    for name in ("clip_id", "graph_id", "job_id", "pose_id", "name", "slug", "session_id", "email"):
         path = path.replace(f"{{{name}}}", str(uuid4()))
     assert "{" not in path, f"{path}: say what stands in its place"
     return client.request(method, path, headers=headers)
