@@ -185,7 +185,8 @@ def _take(builder: _Builder, scalars: yaml.SafeLoader, event: Any) -> None:  # n
     place = _place(event)
     if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
         message = "The file repeats a part by & and *."
-        raise StudyTextError(place, message, "Write the part out where it is needed.")
+        mend = "Write the part out; put text in quotes that begins with & or *."
+        raise StudyTextError(place, message, mend)
     if isinstance(event, yaml.ScalarEvent):
         _scalar(builder, scalars, event, place)
     elif isinstance(event, yaml.MappingStartEvent | yaml.SequenceStartEvent):
