@@ -179,13 +179,13 @@ def finish_by_request(page: Page, link: str) -> str:
     """Answer all clips through the API, as the page would, and complete; returns the code."""
     api = link.replace("/take/", "/api/v1/sessions/")
     session = page.request.get(api).json()
-    for trial in session["trials"]:
+    for step in session["steps"]:
         reply = page.request.post(
             f"{api}/responses",
             data={
-                "trial_index": trial["index"],
+                "trial_index": step["index"],
                 "revision": 1,
-                "answers": {scale["id"]: 1 for scale in session["study"]["scales"]},
+                "answers": {scale["id"]: 1 for scale in session["parts"][step["part"]]["scales"]},
                 "touched": [],
                 "comment": "",
                 "rt_ms": 1000,

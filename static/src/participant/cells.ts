@@ -43,13 +43,21 @@ function columnsOf(count: number): number {
   return count <= 4 ? count : count === 6 ? 3 : count <= 8 && count !== 5 ? 4 : 5;
 }
 
-/** Where the figures are drawn: CSS pixels from the upper left of the cells. */
+/**
+ * Where the figures are drawn: CSS pixels from the upper left of the cells. All as large as the smallest stage, for one
+ * camera sees them all; each in the middle of its stage, at the bottom.
+ */
 export function cellPlaces(grid: Element): Rectangle[] {
   const origin = grid.getBoundingClientRect();
-  return [...grid.querySelectorAll(".cell-stage")].map((stage) => {
-    const { x, y, width, height } = stage.getBoundingClientRect();
-    return { x: x - origin.x, y: y - origin.y, width, height };
-  });
+  const stages = [...grid.querySelectorAll(".cell-stage")].map((stage) => stage.getBoundingClientRect());
+  const width = Math.min(...stages.map((stage) => stage.width));
+  const height = Math.min(...stages.map((stage) => stage.height));
+  return stages.map((stage) => ({
+    x: stage.x - origin.x + (stage.width - width) / 2,
+    y: stage.bottom - origin.y - height,
+    width,
+    height,
+  }));
 }
 
 /** A tap on a figure means its cell; a drag turned the figures and means nothing more. */

@@ -91,7 +91,7 @@ describe("a person", () => {
 
   it("cannot be put beyond the first open trial by an old note on the device", () => {
     const device = new DeviceStorage();
-    new Store("token", device).set("place", 3);
+    new Store("token", device).set("place", { index: 3, answered: 0 });
     expect(open(device).course.index).toBe(0);
   });
 

@@ -29,6 +29,12 @@ export interface Draft {
 /** What goes with the form when it is handed in. */
 export type Measures = Pick<GivenAnswer, "rt_ms" | "time_elapsed_ms" | "client_time" | "record">;
 
+/** Where a person was, and how many steps had an answer then. */
+interface Place {
+  index: number;
+  answered: number;
+}
+
 export class Course {
   readonly #known = new Map<number, StoredAnswer>();
   #index = 0;
@@ -40,8 +46,8 @@ export class Course {
   ) {
     for (const [index, answer] of Object.entries(session.responses)) this.#learn(Number(index), answer);
     for (const answer of outbox.pending) this.#learn(answer.trial_index, answer);
-    const place = store.get<number>("place");
-    this.goTo(place === null ? this.firstOpen : Math.min(place, this.firstOpen));
+    // A preview begins where its researcher wants to look, with nothing answered before.
+    this.goTo(session.study.preview ? session.next : this.#placeBefore());
   }
 
   /** The current step's place, or the number of steps once all are answered. */
@@ -87,7 +93,14 @@ export class Course {
 
   goTo(index: number): void {
     this.#index = Math.max(0, Math.min(index, this.length));
-    this.store.set("place", this.#index);
+    this.store.set("place", { index: this.#index, answered: this.answered } satisfies Place);
+  }
+
+  /** Where the person was before; a place from before the latest answers (the browser crashed) is none. */
+  #placeBefore(): number {
+    const place = this.store.get<Place>("place");
+    const holds = place?.answered === this.answered;
+    return holds ? Math.min(place.index, this.firstOpen) : this.firstOpen;
   }
 
   /** What the current step shows at first: the draft of before a reload, else the answer given, else the preselection. */

@@ -16,6 +16,12 @@ export function kindOf(step: Step): AnyKind {
 
 export const isTrial = (step: Step): boolean => step.kind in trials;
 
+/** A page's figures belong to its part; from here on they are its step's, as those of a trial are. */
+export function withFigures(session: Session): Session {
+  const figuresOf = (step: Step) => (session.parts[step.part]?.["figures"] ?? []) as Session["steps"][number]["figures"];
+  return { ...session, steps: session.steps.map((step) => (isTrial(step) ? step : { ...step, figures: figuresOf(step) })) };
+}
+
 /** A step with what its part of the study asks. */
 export function asked(session: Session, step: Step): Asked<any> {
   return { task: session.parts[step.part] ?? {}, step };

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { icon } from "../icons";
 import type { AnyKind } from "../trials";
-import type { Form, View } from "../trials/kind";
+import type { View } from "../trials/kind";
 import { LONGEST_TEXT } from "../trials/text";
 import { t } from "../words";
 import { brand } from "./brand";
@@ -79,7 +79,7 @@ function cellsFace(scene: Scene): TemplateResult {
       <div class="cells-scroll">
         <div class="cells-head"><div>${question(scene)}</div>
           <button class="button pause" type="button" @click=${scene.togglePause}>${icon(paused ? "play" : "pause")}
-            ${paused ? t("Play all") : t("Pause all")}</button></div>
+            <span>${paused ? t("Play all") : t("Pause all")}</span></button></div>
         ${grid(scene, true)}
         ${comment(view)}
       </div>
@@ -113,7 +113,10 @@ function page(scene: Scene): TemplateResult {
 function comment({ task, form, change }: View<any>): TemplateResult | typeof nothing {
   if (!task.comment) return nothing;
   const { label, placeholder } = task.comment;
-  const input = ({ target }: InputEvent) => change({ ...form, comment: (target as HTMLTextAreaElement).value } satisfies Form);
+  const input = ({ target }: InputEvent) => {
+    const { value } = target as HTMLTextAreaElement;
+    change((now) => ({ ...now, comment: value }));
+  };
   return html`<label class="field comment"><span><strong>${label}</strong> ${t("Optional")}</span>
     <textarea class="input" rows="1" maxlength=${LONGEST_TEXT} placeholder=${placeholder ?? nothing}
       .value=${live(form.comment)} @input=${input}></textarea></label>`;

@@ -15,7 +15,7 @@ import { NOTHING_YET, TrialClock } from "./clock";
 import { Course, type Draft, type GivenAnswer } from "./course";
 import { filesOf, shownOf, viewer, type Shown } from "./figures";
 import { Glances } from "./glances";
-import { asked, kindOf } from "./kinds";
+import { asked, kindOf, withFigures } from "./kinds";
 import { face, type Scene } from "./layouts";
 import { elapsedSince, measures, sum, UNWATCHED, watched, type Viewer } from "./measures";
 import { clipOnItsWay, otherTab, previewOver, sending, stuck, type Line } from "./notices";
@@ -99,8 +99,8 @@ export class TrialPage extends LitElement {
       const session = await this.#desk.session();
       if (session.state === "withdrawn") throw new ApiError("withdrawn", t("Your answers are deleted."), null, null, 410);
       if (session.state !== "active") return this.#desk.leave();
-      this.#course = new Course(session, this.#desk.store, this.#outbox);
-      this.#preloader = new Preloader(session.steps.map(filesOf), { fetch: this.#desk.bytes });
+      this.#course = new Course(withFigures(session), this.#desk.store, this.#outbox);
+      this.#preloader = new Preloader(this.#course.session.steps.map(filesOf), { fetch: this.#desk.bytes });
       void this.#outbox.flush();
       void this.#preloader.want(this.#course.index);
       await drawing;
@@ -298,7 +298,7 @@ export class TrialPage extends LitElement {
     return {
       course, ready, fetched, paused,
       kind: kindOf(step),
-      view: { ...asked(course.session, step), form, pressed, change: (form) => this.#change(form) },
+      view: { ...asked(course.session, step), form, pressed, change: (act) => this.#change(act(this.form)) },
       viewer: this.#figuresShown(kindOf(step).layout !== "stage"),
       line: this.#line,
       isSeen: (place) => this.#glances?.isSeen(place) ?? true,

@@ -11,5 +11,4 @@ export const abx = choosing<unknown>({
   none: () => null,
   open: () => t("Is X equal to A or to B?"),
   chosen: (name) => t("You say: X is {name}.", { name }),
-  looked: () => t("X equals A or B"),
 });

@@ -29,6 +29,6 @@ export const analogue: Kind<Parameters> = {
     task.scales.reduce((form, { id }) => set(form, id, draw(LOWEST, HIGHEST, random)), empty()),
   panel: ({ task, form, change }) => html`<div class="sliders">${task.scales.map(({ id, left, right }) => {
     const value = form.answers[id] as number | undefined;
-    return slider({ id, left, right, name: t("{left} or {right}", { left, right }), value }, (position) => change(set(form, id, position)));
+    return slider({ id, left, right, name: t("{left} or {right}", { left, right }), value }, (position) => change((now) => set(now, id, position)));
   })}</div>`,
 };

@@ -20,7 +20,6 @@ export interface ChoiceOptions<P> {
   none: (task: P) => string | null;
   open: () => string;
   chosen: (name: string) => string;
-  looked?: (place: number) => string;
 }
 
 export function choosing<P>(options: ChoiceOptions<P>): Kind<P> {
@@ -45,11 +44,11 @@ export function choosing<P>(options: ChoiceOptions<P>): Kind<P> {
   };
 }
 
-function cell<P>(view: View<P>, place: number, { name, count, looked }: ChoiceOptions<P>): CellParts {
+function cell<P>(view: View<P>, place: number, { name, count }: ChoiceOptions<P>): CellParts {
   const head = name(place);
-  if (place >= count(view)) return { head, ...(looked ? { foot: html`<p>${looked(place)}</p>` } : {}) };
+  if (place >= count(view)) return { head };
   const chosen = view.form.answers[CHOICE] === place;
-  const choose = () => view.change(set(view.form, CHOICE, place));
+  const choose = () => view.change((now) => set(now, CHOICE, place));
   return { head, chosen, tap: choose, corner: radio(place, t("Figure {name}", { name: head }), chosen, choose) };
 }
 
@@ -61,7 +60,7 @@ function radio(place: number, label: string, chosen: boolean, choose: () => void
 function noneOfThem<P>(words: string, { form, change }: View<P>): TemplateResult {
   const chosen = form.answers[CHOICE] === NONE;
   return html`<label class="choice"><input type="radio" name=${CHOICE} value=${NONE} .checked=${live(chosen)}
-    @change=${() => change(set(form, CHOICE, NONE))} /><span>${words}</span></label>`;
+    @change=${() => change((now) => set(now, CHOICE, NONE))} /><span>${words}</span></label>`;
 }
 
 function verdict<P>(form: Form, { name, chosen }: ChoiceOptions<P>): string {

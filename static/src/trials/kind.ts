@@ -39,10 +39,13 @@ export interface Asked<P> {
   step: Step;
 }
 
+/** Makes the form another one. It is given the newest form: several changes may come before the page is drawn again. */
+export type Change = (act: (form: Form) => Form) => void;
+
 /** What a kind draws from, and whom it tells of a change. */
 export interface View<P> extends Asked<P> {
   form: Form;
-  change: (form: Form) => void;
+  change: Change;
   /** The person wanted to go on although something is missing. */
   pressed: boolean;
 }

@@ -2,7 +2,7 @@ import { render } from "lit";
 import { beforeEach, describe, expect, it } from "vitest";
 import { seeded } from "../participant/testing";
 import { trials, type AnyKind } from ".";
-import { same, set, unset, type CellParts, type Form, type Step, type Value } from "./kind";
+import { same, set, unset, type CellParts, type Change, type Form, type Step, type Value } from "./kind";
 import { move, order, toggle } from "./ranking";
 
 const scales = [{ id: "a_b", left: "a", right: "b" }, { id: "c_d", left: "c", right: "d" }];
@@ -41,7 +41,7 @@ function drawn(kind: AnyKind, name: string): { form: () => Form; parts: () => Ce
   let form = kind.blank(askedOf(name));
   let parts: CellParts[] = [];
   const draw = () => {
-    const change = (changed: Form) => { form = changed; draw(); };
+    const change: Change = (act) => { form = act(form); draw(); };
     const view = { ...askedOf(name), form, change, pressed: false };
     parts = kind.layout === "cells" ? view.step.figures.map((_, index) => kind.cell!(view, index)) : [];
     render([kind.panel(view), ...parts.map(({ corner, foot }) => [corner, foot])], place);

@@ -33,6 +33,6 @@ export const parallel: Kind<Parameters> = {
     const head = String(place + 1);
     const value = form.answers[id] as number | undefined;
     const named = { id, name: t("Figure {name}", { name: head }), left: task.low, right: task.high, value };
-    return { head, foot: slider(named, (position) => change(set(form, id, position))) };
+    return { head, foot: slider(named, (position) => change((now) => set(now, id, position))) };
   },
 };

@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
 import { t, tn } from "../words";
-import { draw, empty, set, unset, type Asked, type CellParts, type Form, type Kind, type View } from "./kind";
+import { draw, empty, set, unset, type Asked, type CellParts, type Change, type Form, type Kind, type View } from "./kind";
 
 /** What a study sets: what the first and the last place mean. */
 export interface Parameters {
@@ -66,7 +66,7 @@ function cell(view: View<Parameters>, place: number): CellParts {
   const { form, change } = view;
   const id = String(place);
   const rank = form.answers[id] as number | undefined;
-  const flip = () => change(toggle(form, id));
+  const flip = () => change((now) => toggle(now, id));
   return { head: letter(place), chosen: rank !== undefined, tap: flip, foot: buttons(view, id, rank, flip) };
 }
 
@@ -80,16 +80,16 @@ function buttons({ form, change }: View<Parameters>, id: string, rank: number | 
   const last = Object.keys(form.answers).length;
   const label = rank === undefined ? t("Give figure {name} a place", { name }) : t("Figure {name} is number {rank}; take its place away", { name, rank });
   const shift = (by: -1 | 1, word: string, drawn: string) => html`<button class="button quiet shift" type="button"
-    aria-label=${word} title=${word} ?disabled=${by < 0 ? rank === 1 : rank === last} @click=${() => change(move(form, id, by))}>${icon(drawn)}</button>`;
-  return html`<div class="rank" data-line=${id} ?data-open=${rank === undefined} @keydown=${(event: KeyboardEvent) => onKey(event, form, id, change)}>
+    aria-label=${word} title=${word} ?disabled=${by < 0 ? rank === 1 : rank === last} @click=${() => change((now) => move(now, id, by))}>${icon(drawn)}</button>`;
+  return html`<div class="rank" data-line=${id} ?data-open=${rank === undefined} @keydown=${(event: KeyboardEvent) => onKey(event, id, change)}>
     ${rank === undefined ? nothing : shift(-1, t("Move figure {name} forward", { name }), "back")}
     <button class="button place-button" type="button" aria-pressed=${rank !== undefined} aria-label=${label} @click=${flip}>${rank ?? t("Place")}</button>
     ${rank === undefined ? nothing : shift(1, t("Move figure {name} back", { name }), "arrow")}</div>`;
 }
 
-function onKey(event: KeyboardEvent, form: Form, id: string, change: (form: Form) => void): void {
+function onKey(event: KeyboardEvent, id: string, change: Change): void {
   const by = event.key === "ArrowLeft" ? -1 : event.key === "ArrowRight" ? 1 : 0;
   if (by === 0 || event.altKey || event.ctrlKey || event.metaKey) return;
   event.preventDefault();
-  change(move(form, id, by));
+  change((now) => move(now, id, by));
 }

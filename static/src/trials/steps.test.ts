@@ -13,7 +13,7 @@ let place: HTMLElement;
 function draw(): void {
   const nameOf = (at: number, line: Line) => `${words[at]} ${at < 2 ? line.left : line.right}`;
   const steps: Steps = { lines, words, values: [-2, -1, 0, 1, 2], nameOf, tone: "bipolar" };
-  render(stepLines(steps, form, (changed) => { form = changed; draw(); }), place);
+  render(stepLines(steps, form, (act) => { form = act(form); draw(); }), place);
 }
 
 const checked = () => [...document.querySelectorAll<HTMLInputElement>("input:checked")];

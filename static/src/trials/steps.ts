@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { icon } from "../icons";
 import { t, tn } from "../words";
-import { open, set, type Form } from "./kind";
+import { open, set, type Change, type Form } from "./kind";
 
 export interface Line {
   id: string;
@@ -33,8 +33,8 @@ const MANY = 9;
 /** More steps than this leave no room for words beside them. */
 const BESIDE = 5;
 
-export function stepLines(steps: Steps, form: Form, change: (form: Form) => void): TemplateResult {
-  const choose: Choose = (id, value) => change(set(form, id, value));
+export function stepLines(steps: Steps, form: Form, change: Change): TemplateResult {
+  const choose: Choose = (id, value) => change((now) => set(now, id, value));
   const { lines, words } = steps;
   const stacked = words.length > BESIDE || lines.some(({ label }) => label);
   return html`<div class="scales of-${words.length} ${steps.tone} ${stacked ? "stacked" : ""} ${lines.length >= MANY ? "many" : ""}">

@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
-import { set, unset, type Form } from "./kind";
+import { set, unset, type Change, type Form } from "./kind";
 
 /** As much as the server takes. */
 export const LONGEST_TEXT = 5000;
@@ -15,10 +15,10 @@ export interface TextBox {
   error?: string | null;
 }
 
-export function textBox({ id, label, placeholder, rows = 5, error }: TextBox, form: Form, change: (form: Form) => void): TemplateResult {
+export function textBox({ id, label, placeholder, rows = 5, error }: TextBox, form: Form, change: Change): TemplateResult {
   const input = ({ target }: InputEvent) => {
     const { value } = target as HTMLTextAreaElement;
-    change(value.trim() ? set(form, id, value) : unset(form, id));
+    change((now) => (value.trim() ? set(now, id, value) : unset(now, id)));
   };
   return html`<div class="field"><label class="box-label" for="box-${id}">${label}</label>
     <textarea class="input" id="box-${id}" rows=${rows} maxlength=${LONGEST_TEXT} placeholder=${placeholder ?? nothing}

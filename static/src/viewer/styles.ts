@@ -76,6 +76,8 @@ input[type="range"]::-moz-range-thumb { width: 16px; height: 16px; border-radius
   .time .frame { display: none; }
 }
 @container (max-width: 480px) {
+  .legend.above li:first-child:nth-last-child(2) { left: 16px !important; transform: none; }
+  .legend.above li:last-child:nth-child(2) { left: auto !important; right: 16px; transform: none; }
   .look button span { display: none; }
   .views button { padding: 0 10px; }
 }

@@ -1,6 +1,6 @@
 // Free text about the whole study.
 
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { empty, set, type Form, type Kind } from "../../trials/kind";
 import { textBox } from "../../trials/text";
 import { t } from "../../words";
@@ -23,7 +23,7 @@ export const comment: Kind<Parameters> = {
   simulate: (_, random) => set(empty(), "text", `made up ${random().toFixed(6)}`),
   panel({ task, form, change, pressed }) {
     const missing = pressed && task.required && !written(form);
-    const label = html`<span class="visually-hidden">${task.question}</span>${task.required ? "" : t("Optional")}`;
+    const label = html`<span class="visually-hidden">${task.question}</span>${task.required ? nothing : html`<small>${t("Optional")}</small>`}`;
     const error = missing ? t("Please write a few words.") : null;
     return html`<h1>${task.question}</h1>
       ${textBox({ id: "text", label, placeholder: task.placeholder, rows: 7, error }, form, change)}`;

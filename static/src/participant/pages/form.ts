@@ -55,7 +55,7 @@ function drawn(field: Field, view: View<Parameters>): TemplateResult {
 
 function line(field: Field, error: string | null, { form, change }: View<Parameters>): TemplateResult {
   const { id, type, unit } = field;
-  const input = ({ target }: InputEvent) => change(typed(field, (target as HTMLInputElement).value, form));
+  const input = ({ target }: InputEvent) => change((now) => typed(field, (target as HTMLInputElement).value, now));
   // Not `live`: what is being typed (“3.”) may be the same number as before and must stay as it is.
   return html`<span class="with-unit ${type}"><input class="input" id="box-${id}" autocomplete="off" maxlength=${LONGEST_LINE}
     inputmode=${type === "number" ? "decimal" : "text"} .value=${String(form.answers[id] ?? "")}
@@ -67,7 +67,7 @@ function list(field: Field, error: string | null, { form, change }: View<Paramet
   const { id } = field;
   const pick = ({ target }: Event) => {
     const { value } = target as HTMLSelectElement;
-    change(value ? set(form, id, value) : unset(form, id));
+    change((now) => (value ? set(now, id, value) : unset(now, id)));
   };
   return html`<select class="input" id="box-${id}" aria-required=${field.required} aria-invalid=${error ? "true" : nothing}
     aria-describedby=${error ? `error-${id}` : nothing} .value=${live(String(form.answers[id] ?? ""))} @change=${pick}>
@@ -82,7 +82,7 @@ function buttons(field: Field, label: TemplateResult, error: string | null, { fo
   const value = form.answers[id];
   const option = ({ id: option, label }: { id: string; label: string }) => {
     const chosen = several ? Array.isArray(value) && value.includes(option) : value === option;
-    const choose = () => change(several ? toggled(field, option, form) : set(form, id, option));
+    const choose = () => change((now) => (several ? toggled(field, option, now) : set(now, id, option)));
     return html`<label class="choice"><input type=${several ? "checkbox" : "radio"} name=${id} value=${option}
       .checked=${live(chosen)} @change=${choose} /><span>${label}</span></label>`;
   };

@@ -1,6 +1,6 @@
 import { render } from "lit";
 import { beforeEach, describe, expect, it } from "vitest";
-import { empty, set, type Form, type Step } from "../../trials/kind";
+import { empty, set, type Change, type Form, type Step } from "../../trials/kind";
 import { seeded } from "../testing";
 import { pages } from ".";
 import { faultOf, toggled, typed, type Field } from "./form_fields";
@@ -27,7 +27,7 @@ beforeEach(() => {
 });
 
 function draw(pressed = false): void {
-  const change = (changed: Form) => { form = changed; draw(pressed); };
+  const change: Change = (act) => { form = act(form); draw(pressed); };
   render(pages["form"]!.panel({ ...asked, form, change, pressed }), place);
 }
 
