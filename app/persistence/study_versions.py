@@ -31,7 +31,7 @@ def newest_numbers(session: Session) -> dict[int, int]:
     rows = session.execute(
         select(StudyVersion.study_id, func.max(StudyVersion.number)).group_by(StudyVersion.study_id)
     )
-    return dict(rows.tuples().all())
+    return dict(rows.all())
 
 
 def begun(session: Session, study: Study) -> dict[int, int]:
@@ -41,7 +41,7 @@ def begun(session: Session, study: Study) -> dict[int, int]:
         .where(StudySession.study_id == study.id, StudySession.kind == "participant")
         .group_by(StudySession.version_id)
     )
-    return dict(rows.tuples().all())
+    return dict(rows.all())
 
 
 def drop(session: Session, study: Study) -> None:

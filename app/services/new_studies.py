@@ -17,14 +17,13 @@ from app.schemas.studies_api import NewStudy, TemplateLine, TemplateList, Upload
 from app.schemas.study import Running
 from app.services import audit, drafts, rights, studies, study_files
 from app.services.rights import Access
+from app.studies import TEMPLATES
 
 LONGEST_SLUG = 60
 
 
 def templates() -> TemplateList:
     """The studies that come with the server to begin with."""
-    from app.studies import TEMPLATES
-
     return TemplateList(
         templates=[
             TemplateLine(id=one.id, title=one.title, summary=one.summary, minutes=one.minutes)
@@ -55,8 +54,6 @@ def make(db: Session, wanted: NewStudy, researcher_id: int) -> Access:
 
 
 def _of_template(name: str) -> dict[str, Any]:
-    from app.studies import TEMPLATES
-
     template = TEMPLATES.get(name)
     if template is None:
         raise NotFoundError(

@@ -1,4 +1,4 @@
-// <clip-picker>: a dialog with every motion, found by its words.
+// <clip-picker>: a dialog with every motion, found by its words; one is picked, or several together.
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
@@ -9,6 +9,8 @@ import type { Clip } from "./server";
 @customElement("clip-picker")
 export class ClipPicker extends LitElement {
   @property({ attribute: false }) clips: Clip[] = [];
+  @property({ type: Boolean }) several = false;
+  @state() private chosen: readonly string[] = [];
   @state() private query = "";
   @state() private family = "";
   @state() private open = false;
@@ -19,6 +21,7 @@ export class ClipPicker extends LitElement {
 
   show(): void {
     this.open = true;
+    this.chosen = [];
     void this.updateComplete.then(() => {
       this.dialog?.showModal();
       this.querySelector<HTMLInputElement>("input[type=search]")?.focus();
@@ -34,8 +37,8 @@ export class ClipPicker extends LitElement {
     const usable = this.clips.filter(({ figure_url, state }) => figure_url && state === "kept");
     const found = find(usable, this.family, this.query);
     const search = (event: InputEvent) => (this.query = (event.target as HTMLInputElement).value);
-    return html`<dialog class="picker" aria-label="Choose a clip" @close=${() => (this.open = false)}>
-      <header><h2 class="figure-title">Choose a clip</h2>
+    return html`<dialog class="picker" aria-label=${this.several ? "Choose clips" : "Choose a clip"} @close=${() => (this.open = false)}>
+      <header><h2 class="figure-title">${this.several ? "Choose clips" : "Choose a clip"}</h2>
         <button class="button quiet icon-button" type="button" aria-label="Close" @click=${() => this.dialog?.close()}>${icon("close")}</button></header>
       <div class="library-filters"><label class="search">${icon("search")}<span class="visually-hidden">Search</span>
           <input class="input" type="search" placeholder="Name, style or tag" .value=${this.query} @input=${search}></label>
@@ -46,15 +49,31 @@ export class ClipPicker extends LitElement {
       <div class="picker-clips">${found.length
         ? html`<ul class="clip-grid">${repeat(found, ({ id }) => id, (clip) => this.card(clip))}</ul>`
         : html`<p class="quiet" role="status">${usable.length ? "No motion matches." : "The motions are on their way."}</p>`}</div>
+      ${this.several ? this.footer(found) : nothing}
     </dialog>`;
   }
 
+  private footer(found: readonly Clip[]): TemplateResult {
+    const ids = found.map(({ id }) => id);
+    const all = ids.length > 0 && ids.every((id) => this.chosen.includes(id));
+    const toggleAll = () => (this.chosen = all ? this.chosen.filter((id) => !ids.includes(id)) : [...new Set([...this.chosen, ...ids])]);
+    const { length } = this.chosen;
+    return html`<footer><button class="button quiet" type="button" ?disabled=${!ids.length} @click=${toggleAll}>${all ? "None of these" : `All ${ids.length}`}</button>
+      <button class="button primary" type="button" ?disabled=${!length} @click=${() => this.pick(this.chosen)}>Add ${length === 1 ? "1 clip" : `${length} clips`}</button></footer>`;
+  }
+
+  private pick(picked: string | readonly string[]): void {
+    this.dialog?.close();
+    this.dispatchEvent(new CustomEvent("pick", { detail: picked }));
+  }
+
   private card(clip: Clip): TemplateResult {
+    const on = this.chosen.includes(clip.id);
     const pick = () => {
-      this.dialog?.close();
-      this.dispatchEvent(new CustomEvent<string>("pick", { detail: clip.id }));
+      if (!this.several) this.pick(clip.id);
+      else this.chosen = on ? this.chosen.filter((id) => id !== clip.id) : [...this.chosen, clip.id];
     };
-    return html`<li><button class="clip-card" type="button" @click=${pick}>
+    return html`<li><button class="clip-card" type="button" aria-pressed=${this.several ? on : nothing} @click=${pick}>
       <span class="clip-stage"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail></span>
       <span class="clip-name">${clip.name}</span><span class="tiny">${caption(clip)}</span></button></li>`;
   }

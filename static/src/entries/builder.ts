@@ -1,0 +1,5 @@
+import "../styles/library.css";
+import "../styles/picker.css";
+import "../styles/builder.css";
+import "../viewer/thumbnails";
+import "../builder/study_builder";
