@@ -537,6 +537,214 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/studies/{slug}/live": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Live
+         * @description How a study is going: who stands where, where they leave, who is suspicious and why.
+         */
+        get: operations["read_live"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/audit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Audit
+         * @description Who did what with the study, the newest first; `before` is the `older` of the last page.
+         */
+        get: operations["read_audit"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/sessions/{session_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Session
+         * @description One participant's way through the study: order, answers, times.
+         */
+        get: operations["read_session"];
+        put?: never;
+        post?: never;
+        /**
+         * Delete Session
+         * @description Delete a participant's answers and all that is known of them, for good.
+         */
+        delete: operations["delete_session"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/sessions/{session_id}/export.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Session
+         * @description All that is stored of one participant, to hand out to the person. It is written down.
+         */
+        get: operations["export_session"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/sessions/{session_id}/exclude": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Exclude Session
+         * @description Leave a participant out of results and groups. The answers stay; it can be taken back.
+         */
+        post: operations["exclude_session"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/sessions/{session_id}/include": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Include Session
+         * @description Count a participant again.
+         */
+        post: operations["include_session"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/sessions/{session_id}/flag": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Flag Session
+         * @description Mark a participant to be looked at again. It changes nothing else.
+         */
+        post: operations["flag_session"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/sessions/{session_id}/unflag": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Unflag Session
+         * @description Take the mark off a participant.
+         */
+        post: operations["unflag_session"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/members": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Members
+         * @description Who works on the study, as what.
+         */
+        get: operations["list_members"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/members/{email}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Put Member
+         * @description Add a researcher of this server by address, or change what a member may do.
+         */
+        put: operations["put_member"];
+        post?: never;
+        /**
+         * Remove Member
+         * @description Take a member out of the study; who is no owner only themselves.
+         */
+        delete: operations["remove_member"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/studies/{slug}/results": {
         parameters: {
             query?: never;
@@ -991,6 +1199,37 @@ export interface components {
             state: "active" | "complete" | "screened_out" | "failed_attention" | "withdrawn";
         };
         /**
+         * AuditLine
+         * @description One thing that somebody did with a study.
+         */
+        AuditLine: {
+            /** Id */
+            id: number;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+            /** Who */
+            who: string;
+            /** Act */
+            act: string;
+            /** Sentence */
+            sentence: string;
+            /** Session Id */
+            session_id: string | null;
+        };
+        /**
+         * AuditTrail
+         * @description A page of the audit trail, the newest first; `older`, where there is more, asks for it.
+         */
+        AuditTrail: {
+            /** Entries */
+            entries: components["schemas"]["AuditLine"][];
+            /** Older */
+            older: number | null;
+        };
+        /**
          * Axis
          * @description All clips on one axis, in the study's order.
          *
@@ -1188,6 +1427,20 @@ export interface components {
             body: string;
             /** Style */
             style: string;
+        };
+        /**
+         * ClipCount
+         * @description How often a clip was judged, practice and attention checks left out.
+         */
+        ClipCount: {
+            /** Clip */
+            clip: string;
+            /** Label */
+            label: string;
+            /** Complete */
+            complete: number;
+            /** Others */
+            others: number;
         };
         /**
          * ClipDetail
@@ -1513,6 +1766,59 @@ export interface components {
             answers: number;
             /** Median Seconds */
             median_seconds: number | null;
+        };
+        /**
+         * Dropout
+         * @description Where participants stop, of the `of` that are complete or have left.
+         *
+         *     Attributes:
+         *         parts: where each part of the study begins, if that is the same for everybody.
+         */
+        Dropout: {
+            /** Of */
+            of: number;
+            /** Steps */
+            steps: components["schemas"]["DropoutStep"][];
+            /** Parts */
+            parts: components["schemas"]["PartStart"][];
+            /** Sentence */
+            sentence: string;
+        };
+        /**
+         * DropoutStep
+         * @description How many had answered so many steps and not left; `left` went away at the step after them.
+         */
+        DropoutStep: {
+            /** Answered */
+            answered: number;
+            /** Still */
+            still: number;
+            /** Left */
+            left: number;
+        };
+        /**
+         * DurationBin
+         * @description How many took from `start` to less than `end` seconds; the last one is open (`end` null).
+         */
+        DurationBin: {
+            /** Start */
+            start: number;
+            /** End */
+            end: number | null;
+            /** Count */
+            count: number;
+        };
+        /**
+         * Durations
+         * @description How long complete participants took, from agreeing to the last answer.
+         */
+        Durations: {
+            /** Median Seconds */
+            median_seconds: number | null;
+            /** Bins */
+            bins: components["schemas"]["DurationBin"][];
+            /** Sentence */
+            sentence: string;
         };
         /**
          * EasedOff
@@ -1842,6 +2148,24 @@ export interface components {
             created_at: string | null;
         };
         /**
+         * GroupCounts
+         * @description How many participants of a group stand where; those left out are in none but `excluded`.
+         */
+        GroupCounts: {
+            /** Id */
+            id: string | null;
+            /** Label */
+            label: string;
+            /** Complete */
+            complete: number;
+            /** Under Way */
+            under_way: number;
+            /** Left Early */
+            left_early: number;
+            /** Ended Early */
+            ended_early: number;
+        };
+        /**
          * ImportOptions
          * @description What a person says about a file instead of leaving it to be guessed.
          *
@@ -2131,6 +2455,69 @@ export interface components {
             name: string;
         };
         /**
+         * LiveCounts
+         * @description How many participants stand where.
+         *
+         *     Attributes:
+         *         under_way: with a sign of life within the lease; left_early: without.
+         *         ended_early: sent out by an answer or by failed attention checks.
+         *         answers: steps answered, by all of them.
+         */
+        LiveCounts: {
+            /** Complete */
+            complete: number;
+            /** Under Way */
+            under_way: number;
+            /** Left Early */
+            left_early: number;
+            /** Ended Early */
+            ended_early: number;
+            /** Withdrawn */
+            withdrawn: number;
+            /** Excluded */
+            excluded: number;
+            /** Answers */
+            answers: number;
+        };
+        /**
+         * LiveView
+         * @description All that the live page shows.
+         *
+         *     Attributes:
+         *         kind: of the sessions: participants, or simulated ones.
+         *         quota: how many shall complete the study; None: any number.
+         *         lease_minutes: after so long without a sign, somebody counts as having left.
+         */
+        LiveView: {
+            /** Slug */
+            slug: string;
+            /** Title */
+            title: string;
+            /** State */
+            state: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "participant" | "simulated";
+            /** Quota */
+            quota: number | null;
+            /** Lease Minutes */
+            lease_minutes: number;
+            counts: components["schemas"]["LiveCounts"];
+            /** Groups */
+            groups: components["schemas"]["GroupCounts"][];
+            dropout: components["schemas"]["Dropout"];
+            durations: components["schemas"]["Durations"];
+            /** Clips */
+            clips: components["schemas"]["ClipCount"][];
+            /** Clips Sentence */
+            clips_sentence: string;
+            suspicious: components["schemas"]["SessionList"];
+            marked: components["schemas"]["SessionList"];
+            latest: components["schemas"]["SessionList"];
+        };
+        /**
          * MTurk
          * @description Participants come with workerId and assignmentId; a code is shown for them to hand in.
          */
@@ -2170,6 +2557,68 @@ export interface components {
             postures: {
                 [key: string]: number;
             };
+        };
+        /**
+         * Mark
+         * @description What a researcher has set on a session by hand, and why.
+         */
+        Mark: {
+            /** Reason */
+            reason: string;
+            /** By */
+            by: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+        };
+        /**
+         * Member
+         * @description A researcher who belongs to a study.
+         */
+        Member: {
+            /** Email */
+            email: string;
+            /** Name */
+            name: string;
+            /**
+             * Role
+             * @enum {string}
+             */
+            role: "owner" | "editor" | "viewer";
+            /** You */
+            you: boolean;
+        };
+        /**
+         * MemberList
+         * @description A study's members.
+         *
+         *     Attributes:
+         *         role: what the asking researcher is.
+         *         everybodys: the study has no members; every researcher is its owner.
+         */
+        MemberList: {
+            /** Members */
+            members: components["schemas"]["Member"][];
+            /**
+             * Role
+             * @enum {string}
+             */
+            role: "owner" | "editor" | "viewer";
+            /** Everybodys */
+            everybodys: boolean;
+        };
+        /**
+         * MemberRole
+         * @description What a member shall be.
+         */
+        MemberRole: {
+            /**
+             * Role
+             * @enum {string}
+             */
+            role: "owner" | "editor" | "viewer";
         };
         /**
          * Motion
@@ -2305,6 +2754,16 @@ export interface components {
             kind: string;
             /** Question */
             question: string;
+        };
+        /**
+         * PartStart
+         * @description A part of the study begins after so many steps.
+         */
+        PartStart: {
+            /** Start */
+            start: number;
+            /** Name */
+            name: string;
         };
         /**
          * Piece
@@ -2740,6 +3199,14 @@ export interface components {
             findings: components["schemas"]["Finding"][];
         };
         /**
+         * Reason
+         * @description Why; it is kept in the audit trail.
+         */
+        Reason: {
+            /** Reason */
+            reason: string;
+        };
+        /**
          * Rebuilt
          * @description A clip made again from its recipe.
          *
@@ -2751,6 +3218,66 @@ export interface components {
             /** Identical */
             identical: boolean;
             clip: components["schemas"]["ClipDetail"];
+        };
+        /**
+         * ReplayFigure
+         * @description A figure as it stood on the page; the third of `abx` is X again.
+         */
+        ReplayFigure: {
+            /** Glb Url */
+            glb_url: string | null;
+            /** Figure Url */
+            figure_url: string | null;
+            /** Name */
+            name: string;
+        };
+        /**
+         * ReplayStep
+         * @description One step of a participant's way, and the newest answer to it.
+         *
+         *     Attributes:
+         *         note: what was special about it: practice, an attention check and whether it held.
+         *         answers: empty without an answer, and on pages without a question.
+         *         changed: how often the answer was changed.
+         *         at: when it was stored; `seconds` since the one before (or since agreeing).
+         *         camera: [ms since the figures came, azimuth and elevation in degrees, zoom] of the view, as
+         *             far as it was recorded.
+         */
+        ReplayStep: {
+            /** Index */
+            index: number;
+            /** Part */
+            part: string;
+            /** Kind */
+            kind: string;
+            /** Title */
+            title: string;
+            /** Note */
+            note: string | null;
+            /** Figures */
+            figures: components["schemas"]["ReplayFigure"][];
+            reference: components["schemas"]["ReplayFigure"] | null;
+            /** Answered */
+            answered: boolean;
+            /** Answers */
+            answers: components["schemas"]["ToldAnswer"][];
+            /** Comment */
+            comment: string;
+            /** Changed */
+            changed: number;
+            /** Rt Ms */
+            rt_ms: number | null;
+            /** At */
+            at: string | null;
+            /** Viewed */
+            viewed: components["schemas"]["Viewed"][];
+            /** Camera */
+            camera: [
+                number,
+                number,
+                number,
+                number
+            ][];
         };
         /**
          * ResponseView
@@ -2825,6 +3352,92 @@ export interface components {
             saved_at: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
+        };
+        /**
+         * SessionDetail
+         * @description One participant's way through the study (its title), step by step.
+         */
+        SessionDetail: {
+            /** Study */
+            study: string;
+            session: components["schemas"]["SessionLine"];
+            /** Version */
+            version: number;
+            /** Slot */
+            slot: number | null;
+            /** Seed */
+            seed: number | null;
+            /** Consented At */
+            consented_at: string | null;
+            /** Completed At */
+            completed_at: string | null;
+            /** Steps */
+            steps: components["schemas"]["ReplayStep"][];
+            /** Trail */
+            trail: components["schemas"]["AuditLine"][];
+        };
+        /**
+         * SessionLine
+         * @description One participant in a list.
+         *
+         *     Attributes:
+         *         name: the first digits of the id, to tell participants apart by.
+         *         stands: how far the participant is, in words; `left_early` after a while without a sign.
+         *         seconds: from agreeing to the last answer; None before the first.
+         *         excluded: why a researcher left the session out of the results; None: it counts.
+         *         flag: a mark by hand, to look at it again.
+         */
+        SessionLine: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "active" | "complete" | "screened_out" | "failed_attention" | "withdrawn";
+            /**
+             * Stands
+             * @enum {string}
+             */
+            stands: "complete" | "under_way" | "left_early" | "ended_early" | "withdrawn";
+            /** Group */
+            group: string | null;
+            /** Language */
+            language: string | null;
+            /** Device */
+            device: string | null;
+            /** Source */
+            source: string | null;
+            /**
+             * Began
+             * Format: date-time
+             */
+            began: string;
+            /** Answered */
+            answered: number;
+            /** Steps */
+            steps: number;
+            /** Seconds */
+            seconds: number | null;
+            /** Suspicions */
+            suspicions: components["schemas"]["Suspicion"][];
+            excluded: components["schemas"]["Mark"] | null;
+            flag: components["schemas"]["Mark"] | null;
+        };
+        /**
+         * SessionList
+         * @description Sessions to look at, the latest first; `total` may be more than are listed.
+         */
+        SessionList: {
+            /** Total */
+            total: number;
+            /** Sessions */
+            sessions: components["schemas"]["SessionLine"][];
         };
         /**
          * SessionView
@@ -3131,6 +3744,23 @@ export interface components {
             preview: boolean;
         };
         /**
+         * Suspicion
+         * @description A rule that a session breaks: by what number, and what the rule is.
+         */
+        Suspicion: {
+            /**
+             * Id
+             * @enum {string}
+             */
+            id: "same_answers" | "flat_answers" | "too_fast" | "failed_checks" | "hidden";
+            /** Title */
+            title: string;
+            /** Number */
+            number: string;
+            /** Rule */
+            rule: string;
+        };
+        /**
          * TemplateLine
          * @description A study that is ready to be taken as a beginning.
          */
@@ -3151,6 +3781,16 @@ export interface components {
         TemplateList: {
             /** Templates */
             templates: components["schemas"]["TemplateLine"][];
+        };
+        /**
+         * ToldAnswer
+         * @description One value of an answer, in words.
+         */
+        ToldAnswer: {
+            /** Label */
+            label: string;
+            /** Value */
+            value: string;
         };
         /**
          * TransitionKey
@@ -3236,11 +3876,23 @@ export interface components {
             sessions: number;
         };
         /**
+         * Viewed
+         * @description How a trial was viewed, in words.
+         */
+        Viewed: {
+            /** Label */
+            label: string;
+            /** Value */
+            value: string;
+        };
+        /**
          * ViewingRecord
          * @description How the figures were watched. Times in ms; what a browser cannot tell is left out.
          *
          *     Attributes:
          *         figure_ms: of several figures, how long each was in view and moving.
+         *         camera: how the view was turned, as [ms since the figures came, azimuth and elevation in
+         *             degrees, zoom]; left out where it stayed as it was.
          *         start: sliders that showed a position before they were touched, and which.
          */
         ViewingRecord: {
@@ -3261,6 +3913,13 @@ export interface components {
             viewport?: components["schemas"]["Viewport"] | null;
             /** Figure Ms */
             figure_ms?: number[] | null;
+            /** Camera */
+            camera?: [
+                number,
+                number,
+                number,
+                number
+            ][] | null;
             /** Start */
             start?: {
                 [key: string]: number;
@@ -5923,6 +6582,932 @@ export interface operations {
             };
             /** @description It contradicts what is stored. */
             409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    read_live: {
+        parameters: {
+            query?: {
+                kind?: "participant" | "simulated";
+                page?: number;
+            };
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LiveView"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    read_audit: {
+        parameters: {
+            query?: {
+                before?: number | null;
+            };
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditTrail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    read_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                session_id: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SessionDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    delete_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                session_id: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    export_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                session_id: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description All that is stored of one participant */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    exclude_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                session_id: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    include_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                session_id: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    flag_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                session_id: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    unflag_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                session_id: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_members: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MemberList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    put_member: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                email: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["MemberRole"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MemberList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    remove_member: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                email: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
                 headers: {
                     [name: string]: unknown;
                 };
