@@ -99,6 +99,11 @@ class SessionView(Message):
     next: int
 
 
+Degrees = Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)]
+Zoom = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
+Sight = tuple[Milliseconds, Degrees, Degrees, Zoom]
+
+
 class Viewport(Message):
     """Size of the page in CSS pixels."""
 
@@ -112,6 +117,8 @@ class ViewingRecord(Message):
 
     Attributes:
         figure_ms: of several figures, how long each was in view and moving.
+        camera: how the view was turned, as [ms since the figures came, azimuth and elevation in
+            degrees, zoom]; left out where it stayed as it was.
         start: sliders that showed a position before they were touched, and which.
     """
 
@@ -124,6 +131,7 @@ class ViewingRecord(Message):
     tier: Annotated[str, Field(max_length=40), BeforeValidator(storable)] | None = None
     viewport: Viewport | None = None
     figure_ms: Annotated[list[Milliseconds], Field(max_length=1000)] | None = None
+    camera: Annotated[list[Sight], Field(max_length=200)] | None = None
     start: Annotated[dict[str, float], Field(max_length=200)] | None = None
 
 

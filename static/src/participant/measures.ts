@@ -21,6 +21,7 @@ export interface Viewer {
     viewingMs: number;
     cameraMoves: number;
     droppedFrames: number;
+    camera?: readonly [number, number, number, number][];
     tier: string | number;
   };
   paused: boolean;
@@ -71,6 +72,7 @@ export function measures({ attention, elapsed, viewer, viewing, figures, start }
     record: {
       // A page without figures has no plays and no tier: nothing was there to be watched.
       ...(viewer ? { ...viewing, viewing_ms: tenth(viewing.viewing_ms), tier: String(viewer.statistics?.tier) } : {}),
+      ...(viewer?.statistics?.camera?.length ? { camera: [...viewer.statistics.camera] } : {}),
       ...(figures.length > 1 ? { figure_ms: figures.map(tenth) } : {}),
       ...(Object.keys(start).length ? { start } : {}),
       hidden_ms: tenth(attention.hidden_ms),

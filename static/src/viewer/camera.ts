@@ -166,10 +166,15 @@ export class OrbitCamera {
   }
 
   jump(azimuth: number): void {
+    this.look(azimuth, looks.camera.elevation, 1);
+  }
+
+  /** Turns to this view at once; angles in degrees. */
+  look(azimuth: number, elevation: number, zoom: number): void {
     this.flight = null;
     this.azimuth = wrap(azimuth);
-    this.elevation = looks.camera.elevation;
-    this.zoom = 1;
+    this.elevation = elevation;
+    this.zoom = zoom;
     this.apply();
   }
 

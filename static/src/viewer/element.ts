@@ -11,7 +11,7 @@
  * `setShown(index, shown)` and `arrange` ("ghost": ghosts behind as marked, "beside": all side by
  * side, "one": alone, the first that is shown, "cells": each alone in its own of the `cells`, CSS
  * pixels from the viewer's upper left, all of one size) choose who is on view. `view(name)` turns to
- * "three-quarter", "front" or "side". `figures[i].jointPositions()` are metres, x y z a joint.
+ * "three-quarter", "front" or "side", `look(azimuth, elevation, zoom)` to any view. `figures[i].jointPositions()` are metres, x y z a joint.
  *
  * Events: `ready`, `frame` {time} after every drawn frame, `timeupdate` {time} some ten times a
  * second, `motion` {index} when a motion from `setMotion` is first on view, `ended`, `error`
@@ -387,6 +387,14 @@ export class MotionViewer extends PlaybackElement implements Playable {
     this.tell("error", { message: error.message });
   }
 
+  /** Turns the view to these degrees and this zoom at once. */
+  look(azimuth: number, elevation: number, zoom: number): void {
+    this.stage?.orbit.look(azimuth, elevation, zoom);
+    this.chosenPreset = null;
+    this.labelsStale = true;
+    this.request();
+  }
+
   private turnBy(azimuth: number, elevation: number): void {
     if (this.isStatic) return;
     this.chosenPreset = null;
@@ -439,10 +447,15 @@ export class MotionViewer extends PlaybackElement implements Playable {
     if (this.labelsStale) this.legend.place(stage.labelPlaces());
     this.labelsStale = stage.orbit.flying;
     const busy = performance.now() - started;
-    if (this.loaded) this.counts.countFrame();
+    if (this.loaded) this.countFrame(stage);
     this.controls?.update();
     this.tellOfFrame(now);
     return busy;
+  }
+
+  private countFrame({ orbit }: Stage): void {
+    this.counts.countFrame();
+    this.counts.countSight(orbit.azimuth, orbit.elevation, orbit.zoom);
   }
 
   private tellOfFrame(now: number): void {

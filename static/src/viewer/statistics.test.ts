@@ -32,6 +32,27 @@ describe("what is counted", () => {
     expect(counts.report("plain").mainThreadMs).toBe(1.5);
   });
 
+  it("keeps how the view went, and nothing of a view that stays", () => {
+    const counts = new Statistics();
+    counts.reset(1000);
+    for (const now of [1000, 1016, 1500]) counts.countSight(32, 7, 1, now);
+    expect(counts.report("full").camera).toEqual([]);
+    counts.countSight(40.04, 7, 1, 3000);
+    expect(counts.report("full").camera).toEqual([[0, 32, 7, 1], [1950, 32, 7, 1], [2000, 40, 7, 1]]);
+  });
+
+  it("keeps beginning and end of any view within two hundred points", () => {
+    const counts = new Statistics();
+    counts.reset(0);
+    for (let frame = 0; frame <= 6000; frame += 1) counts.countSight(frame / 20 - 150, 7, 1, frame * 16);
+    const { camera } = counts.report("full");
+    expect(camera.length).toBeLessThanOrEqual(200);
+    expect(camera.length).toBeGreaterThan(50);
+    expect([camera[0]![1], camera.at(-1)![1]]).toEqual([-150, 150]);
+    const times = camera.map(([at]) => at);
+    expect([...times].sort((a, b) => a - b)).toEqual(times);
+  });
+
   it("starts from nothing for each clip", () => {
     const counts = new Statistics();
     counts.countPlay();
