@@ -274,7 +274,7 @@ def _fill(stimulus: Stimulus, library: _Library) -> dict[str, Any]:
     clip_id, name, tags = library.of(stimulus)
     own = tags.get("style") or tags.get("preset", "").replace("_", " ") or tags.get("emotion")
     style = stimulus.style or own
-    words = (style or name, tags.get("speed"), tags.get("body"), tags.get("made"))
+    words = (style or stimulus.name or name, tags.get("speed"), tags.get("body"), tags.get("made"))
     filled = stimulus.model_dump(mode="json")
     label = Words(", ".join(word for word in words if word)).model_dump(mode="json")
     filled["clip"] = clip_id
