@@ -22,6 +22,7 @@ MANIFEST = {
     "_viewer.js": {"file": "assets/viewer-1.js", "imports": ["_shared.js"]},
     "_shared.js": {"file": "assets/shared-1.js", "css": ["assets/shared-1.css"]},
     "_three.js": {"file": "assets/three-1.js"},
+    "src/styles/japanese.css": {"file": "assets/japanese-1.css"},
 }
 
 
@@ -37,6 +38,11 @@ def test_an_entry_gives_its_script_and_style(assets: Assets) -> None:
         '<link rel="stylesheet" href="/static/assets/site-1.css">',
         '<script type="module" src="/static/assets/site-1.js"></script>',
     ]
+
+
+def test_a_stylesheet_may_stand_alone(assets: Assets) -> None:
+    tag = '<link rel="stylesheet" href="/static/assets/japanese-1.css">'
+    assert assets.tags("src/styles/japanese.css") == tag
 
 
 def test_what_an_entry_imports_is_loaded_at_once_and_each_only_one_time(assets: Assets) -> None:
