@@ -66,7 +66,7 @@ def test_agreeing_begins_a_session_without_an_address_of_the_network(client, dat
     assert token not in stored
     page = client.get(f"/take/{token}")
     assert page.status_code == 200
-    assert "How does this person seem to you?" in page.text
+    assert f'<manner-trial token="{token}"' in page.text
 
 
 def test_without_the_tick_nothing_begins_and_the_page_says_so(client, database):
