@@ -1,0 +1,255 @@
+"""Simulated participants: whole sessions through the same services as people's.
+
+Each rater has a bias on every scale; answers follow from the effects, the bias and noise. The
+sessions are of the kind ``simulated``: they hold no participant's slot and are in no result and no
+export that does not ask for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from app.persistence.models import now
+from app.persistence.responses import Counted
+from app.schemas.effects import Effects
+from app.schemas.sessions import Answer, ViewingRecord, Viewport
+from app.schemas.study import (
+    ABX,
+    Catch,
+    CommentPage,
+    Form,
+    FormField,
+    FreeText,
+    Instructed,
+    Ranking,
+    StudyDefinition,
+    Trials,
+)
+from app.services import answers, sessions
+from app.services.effects import SLIDER_STEP, Taste, choosing
+from app.services.plans import PAUSE, Step, planned_steps
+from app.services.studies import definition_of, find, newest
+from app.statistics.intervals import Samples
+from app.statistics.raters import felt, matched, ranked, rated
+
+Write = Callable[[Callable[[Session], Any]], Any]
+TEXT = "simulated"
+INDIFFERENT = 0.5  # steps, below which two figures show no difference
+
+
+@dataclass
+class Rater:
+    """One simulated participant.
+
+    Attributes:
+        noise, bias_sd: in steps.
+        generator: of all that this rater does.
+    """
+
+    tastes: dict[str, Taste]
+    noise: float
+    bias_sd: float
+    generator: np.random.Generator
+
+    def __post_init__(self) -> None:
+        """Draw the biases, part by part."""
+        self._biases = {
+            name: self.generator.normal(0, self.bias_sd * taste.scale, len(taste.measures))
+            for name, taste in self.tastes.items()
+        }
+
+    def answer(self, definition: StudyDefinition, step: Step) -> dict[str, Any]:
+        """What is answered to a step."""
+        if step["part"] == PAUSE.id:
+            return {}
+        part = definition.part(step["part"])
+        match part:
+            case Trials():
+                return self._trial(part, step)
+            case Form():
+                given = {one.id: self._field(one) for one in part.fields}
+                return {name: value for name, value in given.items() if value is not None}
+            case CommentPage():
+                return {"text": TEXT if part.required else ""}
+            case _:
+                return {}
+
+    def _trial(self, part: Trials, step: Step) -> dict[str, Any]:
+        taste = self.tastes[part.id]
+        if isinstance(part.task, FreeText):
+            return {"text": TEXT}
+        if (check := step.get("check")) is not None and (asked := _asked(part, check)):
+            return {**self._numbers(taste, self._latent(taste, step)), **asked}
+        if choosing(taste):
+            return {"choice": self._choice(taste, self._latent(taste, step)[:, 0], step)}
+        if part.task.kind in ("parallel", "ranking"):
+            return self._each(taste, self._latent(taste, step)[:, 0])
+        return self._numbers(taste, self._latent(taste, step))
+
+    def _latent(self, taste: Taste, step: Step) -> Samples:
+        """(figures, measures), without the bias; a check's own clip is felt as nothing."""
+        places = {one.clip: index for index, one in enumerate(taste.part.stimuli)}
+        blank = np.zeros(len(taste.measures))
+        known = [taste.latent[places[c]] if c in places else blank for c in step["clips"]]
+        return np.array(known)
+
+    def _numbers(self, taste: Taste, latent: Samples) -> dict[str, Any]:
+        biased = latent[0] + self._biases[taste.part.id]
+        return {
+            one.id: self._number(taste, one.middle + value, one.lowest or 0, one.highest or 0)
+            for one, value in zip(taste.measures, biased, strict=True)
+        }
+
+    def _number(self, taste: Taste, latent: float, lowest: float, highest: float) -> int:
+        value = rated(
+            np.array(latent), self.noise * taste.scale, self.generator,
+            lowest=lowest, highest=highest,
+        )  # fmt: skip
+        return int(value)
+
+    def _each(self, taste: Taste, latent: Samples) -> dict[str, Any]:
+        if isinstance(taste.part.task, Ranking):
+            given = ranked(felt(latent, self.noise, self.generator))
+        else:
+            middle = taste.measures[0].middle + self._biases[taste.part.id][0]
+            given = rated(
+                latent + middle, self.noise * SLIDER_STEP, self.generator, lowest=0, highest=100
+            )
+        return {str(place): int(value) for place, value in enumerate(given)}
+
+    def _choice(self, taste: Taste, utility: Samples, step: Step) -> int:
+        task = taste.part.task
+        if isinstance(task, ABX):
+            third = np.array(step["x"])
+            return int(matched(utility[:2], third, self.noise, self.generator))
+        if getattr(task, "allow_none", False):  # as one figure more, about which nothing is felt
+            utility = np.append(utility, 0.0)
+        seeming = felt(utility, self.noise, self.generator)
+        if getattr(task, "allow_same", False) and abs(seeming[0] - seeming[1]) < INDIFFERENT:
+            return -1
+        best = int(np.argmax(seeming))
+        return best if best < len(step["clips"]) else -1
+
+    def _field(self, field: FormField) -> Any:  # noqa: ANN401 -- as its type is
+        if field.type == "number":
+            low = 18 if field.minimum is None else field.minimum
+            high = low + 60 if field.maximum is None else field.maximum
+            return int(self.generator.integers(int(np.ceil(low)), int(high) + 1))
+        if field.type in ("choice", "choices"):
+            staying = [one.id for one in field.options if not one.screens_out]
+            chosen = str(self.generator.choice(staying or [field.options[0].id]))
+            return [chosen] if field.type == "choices" else chosen
+        return TEXT if field.required else None
+
+
+def _asked(part: Trials, check: str) -> dict[str, Any] | None:
+    """What an attentive person answers to a check; None where it is only a clip again."""
+    for one in part.checks:
+        if one.id == check and isinstance(one, Instructed):
+            return dict(one.answers)
+        if one.id == check and isinstance(one, Catch):
+            return {name: round((low + high) / 2) for name, (low, high) in one.answers.items()}
+    return None
+
+
+@dataclass(frozen=True)
+class Course:
+    """One simulated participant's way: the token, and the answers that count if it is complete."""
+
+    token: str
+    complete: bool
+    counted: list[tuple[str, Counted]]
+
+
+def take_part(db: Session, slug: str, rater: Rater, stop_after: float = 1.0) -> Course:
+    """A whole session through the services; the commit is the writer's.
+
+    Args:
+        db: where to write.
+        slug: which study.
+        rater: who takes part.
+        stop_after: the part of the steps after which the participant leaves; 1 completes.
+    """
+    consent = definition_of(newest(db, find(db, slug))).consent.version
+    seed = int(rater.generator.integers(2**sessions.SEED_BITS))
+    token = sessions.begin(db, slug, sessions.Beginning(consent, kind="simulated", seed=seed))
+    session = sessions.open_session(db, token)
+    definition, steps = definition_of(session.version), planned_steps(session.plan)
+    elapsed = 0.0
+    counted: list[tuple[str, Counted]] = []
+    for index, step in enumerate(steps[: int(stop_after * len(steps))]):
+        taken = float(rater.generator.lognormal(np.log(6000), 0.4))
+        elapsed += taken
+        given = rater.answer(definition, step)
+        answer = _answer(index, given, taken, elapsed, rater.generator)
+        receipt, _ = answers.record(db, token, answer)
+        if "clips" in step and not step["practice"] and "check" not in step:
+            row = Counted(session.id, session.version_id, figures(step), given)
+            counted.append((step["part"], row))
+        if receipt.state != "active":
+            return Course(token, False, [])
+    if stop_after < 1:
+        return Course(token, False, [])
+    sessions.complete(db, token)
+    return Course(token, True, counted)
+
+
+def figures(step: Step) -> list[str]:
+    """The clips as the answer keeps them: of A/B/X with X at the end."""
+    clips: list[str] = step["clips"]
+    return [*clips, clips[step["x"]]] if "x" in step else clips
+
+
+def raters(
+    tastes: Sequence[Taste], effects: Effects, number: int, generator: np.random.Generator
+) -> list[Rater]:
+    """So many raters, each with a random stream of its own."""
+    by_part = {taste.part.id: taste for taste in tastes}
+    return [Rater(by_part, effects.noise, effects.rater_sd, own) for own in generator.spawn(number)]
+
+
+def run(
+    write: Write,
+    slug: str,
+    raters: Sequence[Rater],
+    dropout: float,
+    generator: np.random.Generator,
+) -> Iterator[Course]:
+    """All raters' sessions, one after the other; so many of them leave somewhere on the way."""
+    leaving = set(
+        generator.choice(len(raters), round(dropout * len(raters)), replace=False).tolist()
+    )
+    for index, rater in enumerate(raters):
+        stop = float(generator.uniform(0, 0.999)) if index in leaving else 1.0
+        # One transaction a session: a commit an answer would take most of the time.
+        course: Course = write(partial(take_part, slug=slug, rater=rater, stop_after=stop))
+        yield course
+
+
+def _answer(
+    index: int,
+    given: dict[str, Any],
+    taken: float,
+    elapsed: float,
+    generator: np.random.Generator,
+) -> Answer:
+    return Answer(
+        trial_index=index,
+        revision=1,
+        answers=given,
+        touched=list(given),
+        rt_ms=round(taken, 1),
+        time_elapsed_ms=round(elapsed, 1),
+        client_time=now(),
+        record=ViewingRecord(
+            plays=int(generator.integers(1, 4)), viewing_ms=round(0.9 * taken, 1), camera_moves=0,
+            hidden_ms=0, blur_count=0, dropped_frames=0, tier=TEXT,
+            viewport=Viewport(width=1280, height=800, pixel_ratio=1),
+        ),
+    )  # fmt: skip
