@@ -77,7 +77,9 @@ def add_every_kind(data_directory: Path) -> StudyDefinition:
         db.flush()
         document = definition.model_dump(mode="json")
         digest = definition.content_hash
-        db.add(StudyVersion(study_id=study.id, number=1, definition=document, definition_hash=digest))
+        db.add(
+            StudyVersion(study_id=study.id, number=1, definition=document, definition_hash=digest)
+        )
         db.commit()
     engine.dispose()
     return definition
@@ -91,7 +93,12 @@ def every_kind(clips: dict[str, str]) -> StudyDefinition:
     ]
     reference = clips["set_a_neutral"]
     trials = {kind: _trials(kind, stimuli, reference) for kind in TASKS}
-    pause = {"kind": "break", "id": "rest", "heading": "Half of it is done", "text": "Rest a while."}
+    pause = {
+        "kind": "break",
+        "id": "rest",
+        "heading": "Half of it is done",
+        "text": "Rest a while.",
+    }
     several = ("choose", "ab", "abx", "parallel", "ranking")
     return StudyDefinition.model_validate({
         "slug": SLUG, "title": "Every kind",

@@ -7,7 +7,8 @@ import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
 
-from playwright.sync_api import BrowserContext, Page, expect
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import BrowserContext, Locator, Page, expect
 
 from tests.support.server import Server
 
@@ -106,6 +107,26 @@ def stored(server: Server) -> list[Row]:
         Row(trial, revision, _steps(json.loads(answers)), comment, rt_ms, json.loads(record))
         for trial, revision, answers, comment, rt_ms, record in found
     ]
+
+
+def grave_faults(page: Page) -> list[str]:
+    """What axe calls serious or critical, with the places."""
+    found = Axe().run(page).response["violations"]
+    return [
+        f"{fault['id']}: {node['html']}"
+        for fault in found
+        if fault["impact"] in ("serious", "critical")
+        for node in fault["nodes"]
+    ]
+
+
+def tab_to(page: Page, target: Locator, most: int = 15) -> None:
+    """Press Tab until the focus is there."""
+    for _ in range(most):
+        if target.evaluate("element => element === document.activeElement"):
+            return
+        page.keyboard.press("Tab")
+    expect(target).to_be_focused()
 
 
 def _steps(answers: dict[str, int]) -> tuple[int, ...]:

@@ -17,6 +17,7 @@ from tests.browser.participant import (
     planned_steps,
     step,
     stored,
+    tab_to,
     wait_for_clip,
     wait_until_saved,
 )
@@ -36,7 +37,7 @@ def still(page: Page) -> None:
 def expect_a_complete_study(page: Page, server: Server) -> None:
     page.wait_for_url("**/thanks", timeout=60_000)
     expect(page.locator("#code")).to_have_text(CODE)
-    expect(page.get_by_text(f"All {CLIPS} answers have arrived.")).to_be_visible()
+    expect(page.get_by_text("Everything that you answered has arrived.")).to_be_visible()
     rows = stored(server)
     assert [(row.trial, row.revision) for row in rows] == [(trial, 1) for trial in range(CLIPS)]
     assert [row.steps for row in rows] == [planned_steps(trial) for trial in range(CLIPS)]
@@ -149,14 +150,6 @@ def test_answers_are_deleted_for_good_when_a_person_withdraws(page: Page, server
     assert page.evaluate("Object.keys(localStorage)") == []
     page.goto(link)
     expect(page.get_by_role("heading", name="Your answers are deleted.")).to_be_visible()
-
-
-def tab_to(page: Page, target) -> None:
-    for _ in range(15):
-        if target.evaluate("element => element === document.activeElement"):
-            return
-        page.keyboard.press("Tab")
-    expect(target).to_be_focused()
 
 
 def move_to(page: Page, value: int, *, by_arrows: bool) -> None:

@@ -5,10 +5,16 @@ from __future__ import annotations
 import gzip
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.participant import STUDY, answer, begin, keep_still, wait_until_saved
+from tests.browser.participant import (
+    STUDY,
+    answer,
+    begin,
+    grave_faults,
+    keep_still,
+    wait_until_saved,
+)
 from tests.support.server import Server
 
 pytestmark = pytest.mark.browser
@@ -26,17 +32,6 @@ HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
 @pytest.fixture(autouse=True)
 def still(page: Page) -> None:
     keep_still(page.context)
-
-
-def grave_faults(page: Page) -> list[str]:
-    """What axe calls serious or critical, with the places."""
-    found = Axe().run(page).response["violations"]
-    return [
-        f"{fault['id']}: {node['html']}"
-        for fault in found
-        if fault["impact"] in ("serious", "critical")
-        for node in fault["nodes"]
-    ]
 
 
 @SIZES

@@ -27,7 +27,6 @@ export interface Viewer {
   paused: boolean;
   play(): void;
   pause(): void;
-  replay(): void;
 }
 
 export function watched(viewer: Viewer | null): Viewing {
@@ -36,11 +35,11 @@ export function watched(viewer: Viewer | null): Viewing {
   return { plays, viewing_ms: viewingMs, camera_moves: cameraMoves, dropped_frames: droppedFrames };
 }
 
-/** Counts of before a reload, plus those since, less what the viewer had counted for the step before. */
-export function sum(before: Viewing, since: Viewing, counted: Viewing): Viewing {
+/** Counts of before a reload, plus those since. */
+export function sum(before: Viewing, since: Viewing): Viewing {
   const entries = Object.keys(UNWATCHED).map((key) => {
     const name = key as keyof Viewing;
-    return [name, before[name] + Math.max(0, since[name] - counted[name])];
+    return [name, before[name] + since[name]];
   });
   return Object.fromEntries(entries) as Viewing;
 }

@@ -54,8 +54,6 @@ export class TrialPage extends LitElement {
   #glances: Glances | null = null;
   #clock = new TrialClock();
   #draft: Draft = { form: this.form, attention: NOTHING_YET, viewing: UNWATCHED, figures: [], start: {} };
-  /** What the viewer had counted when the step began, where it goes on with the same figures. */
-  #counted = UNWATCHED;
   #lastAnswer = -Infinity;
   #resized = new ResizeObserver(() => this.#placeCells());
 
@@ -133,14 +131,15 @@ export class TrialPage extends LitElement {
 
   /** Put figures on the stage; the step begins with their first picture, or at once where there are none. */
   async #stage(figures: readonly Shown[], cells: boolean): Promise<void> {
-    const same = JSON.stringify({ cells, figures }) === JSON.stringify(this.shown);
+    // The same figures again: a fresh viewer counts from nothing, as for any others.
+    if (JSON.stringify({ cells, figures }) === JSON.stringify(this.shown)) {
+      this.shown = null;
+      await this.updateComplete;
+    }
     this.shown = figures.length ? { cells, figures } : null;
-    this.#counted = same ? watched(this.#viewer) : UNWATCHED;
     await this.updateComplete;
     this.#watchCells();
-    if (this.shown && !same) return;
-    this.#viewer?.replay();
-    this.#begin();
+    if (!this.shown) this.#begin();
   }
 
   #watchCells(): void {
@@ -173,8 +172,9 @@ export class TrialPage extends LitElement {
   #focusFirst(): void {
     this.querySelector(".panel-scroll, .cells-scroll, .page-scroll")?.scrollTo(0, 0);
     if (this.form.touched.length && focusNextOpen(this, null)) return;
-    const first = ".scale [tabindex='0'], .slider input, .pick input, .place-button, .own-words textarea, #content";
-    this.querySelector<HTMLElement>(first)?.focus({ preventScroll: true });
+    const first = ".scale [tabindex='0'], .slider input, .pick input, .place-button, .own-words textarea";
+    const target = this.querySelector<HTMLElement>(first) ?? this.querySelector<HTMLElement>("#content");
+    target?.focus({ preventScroll: true });
   }
 
   #onFrame(): void {
@@ -196,7 +196,7 @@ export class TrialPage extends LitElement {
   }
 
   get #viewing() {
-    return sum(this.#draft.viewing, watched(this.#viewer), this.#counted);
+    return sum(this.#draft.viewing, watched(this.#viewer));
   }
 
   get #figures(): readonly number[] {
