@@ -249,6 +249,8 @@ def _viewed() -> list[Field]:
         _recorded("time_elapsed_ms", "since the page was opened", "number", "ms"),
         _recorded("plays", "how often the clip ran", "integer"),
         _recorded("viewing_ms", "how long the clip ran", "number", "ms"),
+        field("figures_ms", f"of several figures, how long each ran in view, parted by {BETWEEN}",
+              "text", _each_viewed, "ms"),
         _recorded("camera_moves", "how often the view was turned", "integer"),
         _recorded("hidden_ms", "how long the page was out of sight", "number", "ms"),
         _recorded("blur_count", "how often the window lost the focus", "integer"),
@@ -263,6 +265,11 @@ def _viewed() -> list[Field]:
             lambda row: row.answer.received_at.isoformat(),
         ),
     ]  # fmt: skip
+
+
+def _each_viewed(row: Row) -> str | None:
+    times: list[float] = row.answer.record.get("figure_ms") or []
+    return BETWEEN.join(f"{one:g}" for one in times) or None
 
 
 def _recorded(name: str, meaning: str, kind: Kind, unit: str | None = None) -> Field:

@@ -117,4 +117,6 @@ def wilson(successes: int, n: int, confidence: float = 0.95) -> Proportion | Non
     z = float(special.ndtri((1 + confidence) / 2))
     shrunk = (share + z * z / (2 * n)) / (1 + z * z / n)
     reach = z / (1 + z * z / n) * sqrt(share * (1 - share) / n + (z / (2 * n)) ** 2)
-    return Proportion(share, max(0.0, shrunk - reach), min(1.0, shrunk + reach), n)
+    low = 0.0 if successes == 0 else shrunk - reach  # exactly, and not a rounding error beside it
+    high = 1.0 if successes == n else shrunk + reach
+    return Proportion(share, low, high, n)
