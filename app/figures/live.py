@@ -12,6 +12,9 @@ from app.figures.theme import Mode, Palette
 
 STATES = ("complete", "under way", "left early", "ended early")
 CURVE_HEIGHT = 200
+MINUTES = (
+    "floor(datum.value / 60) + (datum.value % 60 ? ':' + format(datum.value % 60, '02d') : '')"
+)
 PERCENT = "replace(format(datum.value, '.0%'), '%', ' %')"
 MOST_ROWS = 60  # more clips than these are told by columns without names
 
@@ -26,10 +29,10 @@ class GroupBar:
 
 @dataclass(frozen=True)
 class Bin:
-    """How many took at least `start` and less than `end` minutes."""
+    """How many took at least `start` and less than `end` seconds."""
 
-    start: float
-    end: float
+    start: int
+    end: int
     count: int
     is_open: bool
 
@@ -72,6 +75,7 @@ def standing(groups: Sequence[GroupBar], mode: Mode, width: Width = "container")
     spec["layer"] = [bars, numbers]
     spec["data"] = {"values": values}
     spec["resolve"] = {"scale": {"color": "independent"}}
+    spec["config"]["legend"]["columns"] = len(STATES)
     spec["description"] = "Participants by group and by how far they are."
     return spec
 
@@ -115,16 +119,16 @@ def dropout(
 def durations(
     bins: Sequence[Bin], median: float | None, mode: Mode, width: Width = "container"
 ) -> dict[str, Any]:
-    """How long complete participants took in minutes, the median marked."""
+    """How long complete participants took, the median (seconds) marked; one bin at least."""
     colours = theme.palette(mode)
     values = [{"from": b.start, "to": b.end, "count": b.count} for b in bins]
-    ends = [b.end for b in bins] or [1.0]
-    labels = "format(datum.value, '~g')"
-    if bins and bins[-1].is_open:
-        labels += f" + (datum.value >= {bins[-1].start:g} ? '+' : '')"
+    edges = [*(b.start for b in bins), bins[-1].end]
+    marks, labels = edges[:: 1 + len(edges) // 8], MINUTES
+    if bins[-1].is_open:
+        labels += f" + (datum.value >= {edges[-1]} ? ' or more' : '')"
     x = {"field": "from", "type": "quantitative", "title": "minutes",
-         "scale": {"domain": [min((b.start for b in bins), default=0), max(ends)], "nice": False},
-         "axis": {"grid": False, "labelExpr": labels}}  # fmt: skip
+         "scale": {"domain": [edges[0], edges[-1]], "nice": False},
+         "axis": {"grid": False, "labelExpr": labels, "values": marks}}  # fmt: skip
     y = {"field": "count", "type": "quantitative", "title": None,
          "axis": {"tickCount": 4, "tickMinStep": 1, "format": "d"}}  # fmt: skip
     bars = {

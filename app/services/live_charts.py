@@ -30,13 +30,13 @@ def _dropout(view: LiveView, mode: Mode) -> dict[str, Any]:
 
 
 def _durations(view: LiveView, mode: Mode) -> dict[str, Any]:
-    width = (view.durations.bins[0].end or 0) - view.durations.bins[0].start
+    first = view.durations.bins[0]
+    width = first.end - first.start if first.end is not None else 60
     bins = [
-        figures.Bin(one.start / 60, (one.end or one.start + width) / 60, one.count, one.end is None)
+        figures.Bin(one.start, one.end or one.start + width, one.count, one.end is None)
         for one in view.durations.bins
     ]
-    median = view.durations.median_seconds
-    return figures.durations(bins, None if median is None else median / 60, mode)
+    return figures.durations(bins, view.durations.median_seconds, mode)
 
 
 def _clips(view: LiveView, mode: Mode) -> dict[str, Any]:

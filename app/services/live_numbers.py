@@ -23,7 +23,7 @@ from app.schemas.study import StudyDefinition
 from app.services.summaries import counted
 
 WIDTHS = (5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600, 7200, 21_600, 86_400)  # seconds
-MOST_BINS = 24
+MOST_BINS = 16
 EVERYBODY = "Everybody"
 
 
@@ -193,8 +193,9 @@ def spoken(seconds: float) -> str:
 def _bins(histogram: Sequence[tuple[int, int]]) -> list[DurationBin]:
     """Bins of a round width; who took very much longer than most stands in the last, open one."""
     longest = min(histogram[-1][0], int(1.5 * quantile(histogram, 0.95)))
-    width = next((w for w in WIDTHS if longest < MOST_BINS * w), WIDTHS[-1])
-    last = min(longest // width, MOST_BINS - 1)
+    span = longest - histogram[0][0]
+    width = next((w for w in WIDTHS if span < MOST_BINS * w), WIDTHS[-1])
+    last = longest // width
     found = Counter[int]()
     for seconds, count in histogram:
         found[min(seconds // width, last)] += count
