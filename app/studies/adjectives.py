@@ -97,7 +97,7 @@ PRIMARY = {
 STEPS = [
     text("very", "hyvin", "とても"),
     text("rather", "melko", "やや"),
-    text("as red", "kuin punainen", "赤と同じ"),
+    text("as red", "sama", "同じ"),
     text("rather", "melko", "やや"),
     text("very", "hyvin", "とても"),
 ]
@@ -119,7 +119,8 @@ PRIMARY_SCALES = [_scale(name, words) for name, words in PRIMARY.items()]
 def _study(
     slug: str, title: str, minutes: int, clips: tuple[str, ...], scales: list[Document]
 ) -> Document:
-    pairs, number = len(scales), len(clips)
+    trials = _trials(clips, scales)
+    pairs, number = len(scales), len(clips) + len(trials["checks"])
     return {
         "manner": 1,
         "slug": slug,

@@ -170,15 +170,17 @@ def demonstration(stimuli: Iterable[Stimulus], example: str | None = None) -> St
 
 
 def _forger() -> Document:
-    part = _trials([*_acted(), *_modified()], PRACTICE)
+    clips = [*_acted(), *_modified()]
+    part = _trials(clips, PRACTICE)
     part["checks"] = [_reading()]
     part["break_every"] = 21
+    to_see = PRACTICE + len(clips) + len(part["checks"])
     return {
         "manner": 1,
         "slug": "emotion-acted-and-modified",
         "title": "Emotion in walking, acted and modified",
         "languages": LANGUAGES,
-        "welcome": _welcome(42, 19, "set_a_neutral"),
+        "welcome": _welcome(to_see, 19, "set_a_neutral"),
         "consent": consent(),
         "parts": [about_you(), _how_it_works(), part, last_words(), _debriefing()],
         "thanks": thanks(),

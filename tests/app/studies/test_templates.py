@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from functools import cache
 
 import pytest
@@ -75,6 +76,15 @@ def test_a_template_is_a_whole_study_without_faults(name: str) -> None:
     assert study.parts[1].figures
     assert study.welcome.example
     assert "{clips}" in str(study.thanks.text)
+
+
+@pytest.mark.parametrize("name", [name for name in TEMPLATES if name != "most-natural"])
+def test_the_welcome_tells_how_many_trials_there_will_be(name: str, library: Session) -> None:
+    study = study_stimuli.resolve(library, definition(name), list)
+    plan = draw_plan(study, 1, 0, study.content_hash)
+    trials = [step for step in plan["steps"] if "clips" in step]
+    for text in study.welcome.facts[0].root.values():
+        assert str(len(trials)) in re.findall(r"\d+", text)
 
 
 @each
