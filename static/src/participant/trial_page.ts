@@ -8,7 +8,7 @@ import { ApiError } from "../api";
 import type { Outbox } from "../outbox";
 import type { Form } from "../trials/kind";
 import { focusNextOpen } from "../trials/steps";
-import { t } from "../words";
+import { language, t } from "../words";
 import { brand } from "./brand";
 import { cellPlaces } from "./cells";
 import { NOTHING_YET, TrialClock } from "./clock";
@@ -321,7 +321,7 @@ export class TrialPage extends LitElement {
       name: "stuck",
       title: t("This browser cannot draw the clips"),
       text: t("What you have answered is kept. Open this page’s address in another browser or on another device, and go on there."),
-      help: "/no-webgl",
+      help: `/no-webgl?lang=${language()}`,
     };
   }
 }
