@@ -110,8 +110,9 @@ def dropout(
     area = {"type": "area", "interpolate": "step-after", "color": colours.steps[0], "opacity": 0.12}
     spec = _base(mode, width, CURVE_HEIGHT)
     spec["data"] = {"values": values}
-    spec["encoding"] = {"x": x, "y": y}
-    spec["layer"] = [{"mark": area}, {"mark": line}, *_part_lines(parts, colours)]
+    encoding = {"x": x, "y": y}
+    curves = [{"mark": mark, "encoding": encoding} for mark in (area, line)]
+    spec["layer"] = [*curves, *_part_lines(parts, colours)]
     spec["description"] = f"Share of {total} participants still there after each step."
     return spec
 
@@ -220,18 +221,19 @@ def _parts(group: GroupBar, most: int) -> list[dict[str, Any]]:
 
 def _part_lines(parts: Sequence[tuple[int, str]], colours: Palette) -> list[dict[str, Any]]:
     """A hair line where another part begins, its name beside it."""
-    values = [{"at": at, "name": name} for at, name in parts]
+    values = [{"at": at, "name": name.replace("_", " ")} for at, name in parts]
     x = {"field": "at", "type": "quantitative"}
+    bottom = {"datum": 0, "type": "quantitative"}
     return [
         {
             "data": {"values": values},
             "mark": {"type": "rule", "color": colours.line_strong, "strokeDash": [2, 3]},
-            "encoding": {"x": x, "y": None},
+            "encoding": {"x": x},
         },
         {
             "data": {"values": values},
             "mark": {"type": "text", "align": "left", "dx": 4, "baseline": "bottom",
                      "color": colours.ink_2},
-            "encoding": {"x": x, "y": {"datum": 0}, "text": {"field": "name", "type": "nominal"}},
+            "encoding": {"x": x, "y": bottom, "text": {"field": "name", "type": "nominal"}},
         },
     ]  # fmt: skip
