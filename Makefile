@@ -22,7 +22,7 @@ PIP := $(BIN)/python -m pip install -q -c constraints.txt
 
 .PHONY: help
 help: ## List the commands
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-8s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 .PHONY: run
 run: .venv/.run-ready static/dist/.ready ## Prepare everything and serve on http://127.0.0.1:8000
@@ -37,7 +37,11 @@ dev: .venv/.run-ready static/dist/.ready ## Serve with reload, front end rebuilt
 .PHONY: test
 test: lint browser ## Lint, types, front-end tests, and the test suite on SQLite, PostgreSQL and Chromium
 	@cd static && npm test --silent
-	@HOME=$(CACHE)/home $(BIN)/python -m pytest -n 2 --dist worksteal $(PYTEST_ARGS)
+	@HOME=$(CACHE)/home $(BIN)/python -m pytest -n 2 --dist worksteal -m 'not long' $(PYTEST_ARGS)
+
+.PHONY: test-long
+test-long: .venv/.test-ready static/dist/.ready browser ## Run every template in every size and language as well
+	@HOME=$(CACHE)/home $(BIN)/python -m pytest -n 2 --dist worksteal -m long $(PYTEST_ARGS)
 
 .PHONY: lint
 lint: .venv/.test-ready static/dist/.ready ## Formatting, style, types and import directions

@@ -1,6 +1,7 @@
 """Every template from the welcome to the thanks, on a phone and a desktop, in three languages.
 
-With fewer clips than it has, since what is shown once is shown forty times alike.
+With fewer clips than it has, since what is shown once is shown forty times alike, and each
+language on one of the sizes; whole, and each language on both: `make test-long`.
 """
 
 from __future__ import annotations
@@ -57,9 +58,10 @@ def shortened(name: str) -> dict:
     return document
 
 
-def publish(server: Server, name: str) -> str:
+def publish(server: Server, name: str, *, whole: bool = False) -> str:
     """Put the template onto the server; its address."""
-    file = study_files.read(study_files.write(shortened(name)), f"{name}.yaml")
+    document = TEMPLATES[name].build() if whole else shortened(name)
+    file = study_files.read(study_files.write(document), f"{name}.yaml")
     assert file.faults == []
     with library(server) as database:
         with database.writing() as db:
@@ -123,3 +125,21 @@ def test_a_template_runs_from_the_welcome_to_the_thanks(
         assert kinds[-2:] == ["comment", "debriefing"]
         assert len(kinds) >= 5
         context.close()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("size", SIZES, ids=("phone", "desktop"))
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_a_whole_template_runs_in_every_size_and_language(
+    browser: Browser, server: Server, name: str, size: dict, language: str
+):
+    address = publish(server, name, whole=True)
+    context = browser.new_context(viewport=size)
+    keep_still(context)
+    kinds = take_part(context.new_page(), address, language)
+    (part,) = (part for part in TEMPLATES[name].build()["parts"] if part["kind"] == "trials")
+    alone = part["task"]["kind"] == "semantic_differential"
+    least = len(part["stimuli"]) if alone else len(part.get("sets", ())) or 1
+    assert kinds.count(part["task"]["kind"]) >= least
+    context.close()
