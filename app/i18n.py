@@ -18,7 +18,7 @@ from babel.dates import format_datetime
 from babel.messages.catalog import Catalog
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
-from babel.numbers import format_decimal, format_percent
+from babel.numbers import format_decimal
 from babel.support import NullTranslations, Translations
 from markupsafe import Markup
 
@@ -58,10 +58,6 @@ class Phrases:
     def number(self, value: float) -> str:
         """1234.5 as “1,234.5”, “1 234,5” or however else it is written."""
         return format_decimal(value, locale=self.locale)
-
-    def percent(self, share: float) -> str:
-        """0.25 as “25%”, “25 %” or however else it is written."""
-        return format_percent(share, locale=self.locale)
 
     def moment(self, when: datetime) -> str:
         """A day and a time of day, UTC."""
@@ -120,7 +116,9 @@ def read_catalog(language: Language) -> Catalog:
 
 def write_catalog(catalog: Catalog, language: Language) -> None:
     """Write a catalog as its file."""
-    with catalog_path(language).open("wb") as file:
+    path = catalog_path(language)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("wb") as file:
         write_po(file, catalog, width=100, include_lineno=False, ignore_obsolete=True)
 
 

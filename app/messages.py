@@ -43,10 +43,14 @@ def collect() -> Catalog:
 
 
 def update() -> None:
-    """Add new messages to every catalog and drop those that nobody says any more."""
+    """Add new messages to every catalog and drop those that nobody says any more.
+
+    A language that has no catalog yet gets an empty one.
+    """
     template = collect()
     for language in i18n.TRANSLATED:
-        catalog = i18n.read_catalog(language)
+        is_new = not i18n.catalog_path(language).exists()
+        catalog = Catalog(language, project="Manner") if is_new else i18n.read_catalog(language)
         catalog.update(template, no_fuzzy_matching=True, update_creation_date=False)
         i18n.write_catalog(catalog, language)
 
