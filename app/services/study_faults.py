@@ -19,6 +19,7 @@ from app.services.study_text import Path, short
 Bare = Mapping[Path, str]
 Context = Mapping[str, Any]
 
+MOST_FAULTS = 100  # told at once; a file with more is mostly one fault seen everywhere
 _PATTERNS = {
     r"^[a-z][a-z0-9_]*$": "Use small letters, digits and underscores, a letter first.",
     r"^[a-z0-9]+(-[a-z0-9]+)*$": "Use small letters and digits, with single hyphens between.",
@@ -83,6 +84,8 @@ def _told(error: ValidationError, document: object, under: Path, bare: Bare) -> 
             continue  # its items are faulty, and are not counted therefore
         problem = _Fault(whole, where, one["type"], one["msg"], one.get("ctx", {}), bare).told()
         found.setdefault(tuple(problem.where), problem)
+        if len(found) == MOST_FAULTS:
+            break
     return list(found.values())
 
 

@@ -13,7 +13,6 @@ from app.schemas.study import Running, StudyDefinition
 from app.services import study_faults, study_rules
 from app.services.study_text import Path, StudyText, StudyTextError, read_text, short, unstorable
 
-MOST_FAULTS = 100  # told at once; a file with more is mostly one fault seen everywhere
 _SINGULAR = {
     "fields": "field",
     "options": "option",
@@ -106,7 +105,7 @@ def examine(
         for path, message in unstorable(document)
     ]
     if problems:
-        return None, None, problems[:MOST_FAULTS]
+        return None, None, problems[: study_faults.MOST_FAULTS]
     given = {name: value for name, value in document.items() if name != "running"}
     definition, problems = study_faults.faults(StudyDefinition, given, bare=bare)
     running = None
@@ -145,7 +144,7 @@ def in_words(document: object, path: Path) -> str:
 
 def _sorted(text: StudyText, problems: list[Problem]) -> list[Fault]:
     faults = [_fault(text, problem) for problem in problems]
-    return sorted(faults, key=lambda fault: (fault.line, fault.column))[:MOST_FAULTS]
+    return sorted(faults, key=lambda fault: (fault.line, fault.column))[: study_faults.MOST_FAULTS]
 
 
 def _fault(text: StudyText, problem: Problem) -> Fault:

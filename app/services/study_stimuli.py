@@ -132,6 +132,26 @@ class _Library:
                 names = clips.names(self._db)
             yield _missing(path, reference, found, names)
         yield from self._faults
+        if names is None and not self._faults:
+            yield from self._alike()
+
+    def _alike(self) -> Iterator[Problem]:
+        """Stimuli of one part that turn out to be the same clip, or to have the same name."""
+        seen: dict[tuple[Path, str], int] = {}
+        for path, stimulus in _stimuli(self._definition):
+            clip_id, name, _ = self.of(stimulus)
+            number = int(path[-1]) if isinstance(path[-1], int) else -1
+            for what in (clip_id, f"name {stimulus.name or name}") if number >= 0 else ():
+                first = seen.setdefault((path[:3], what), number)
+                if first != number:
+                    is_same = what == clip_id
+                    told = "is the same clip as" if is_same else "has the same name as"
+                    yield Problem(
+                        where=list(path),
+                        message=f"This {told} number {first + 1}.",
+                        mend="Keep one of the two." if is_same else "Give it a name of its own.",
+                    )
+                    break
 
     def clip(self, reference: str) -> ClipRecord:
         return self._found[reference][0]

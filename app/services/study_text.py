@@ -276,11 +276,11 @@ def _read_json(text: str) -> StudyText:
 def _placed(text: str) -> StudyText:
     """Valid JSON as data with its places."""
     builder = _Builder()
-    line, begins = 1, 0
-    seen = 0
+    line, begins, seen = 1, 0, 0
     for token in _JSON_TOKEN.finditer(text):
-        line += text.count("\n", seen, token.start())
-        begins = text.rfind("\n", 0, token.start()) + 1 if line > 1 else 0
+        breaks = text.count("\n", seen, token.start())
+        if breaks:
+            line, begins = line + breaks, text.rindex("\n", seen, token.start()) + 1
         seen = token.start()
         _take_json(builder, token[0], (line, token.start() - begins + 1))
     return builder.read

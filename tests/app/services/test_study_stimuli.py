@@ -210,6 +210,28 @@ def test_what_is_not_there_or_cannot_be_made_is_told_at_its_place(
     assert told.value.where == {"problems": [problem.model_dump()]}
 
 
+def test_the_same_clip_by_name_and_by_id_is_told(database) -> None:
+    proud = ids(database)["set_a_proud"]
+    with database.reading() as db:
+        (problem,) = study_stimuli.problems(db, study(["set_a_proud", "set_a_neutral", proud]))
+    assert problem.where == ["parts", 2, "stimuli", 2]
+    assert "same clip as number 1" in problem.message
+
+
+def test_two_clips_of_one_name_need_names_of_their_own(database) -> None:
+    known = ids(database)
+    twins = [known["set_a_proud"], known["set_a_energetic"]]
+    with database.writing() as db:
+        for clip_id in twins:
+            db.get(ClipRecord, clip_id).name = "twin"
+        db.commit()
+        (problem,) = study_stimuli.problems(db, study(twins))
+        named = [{"clip": twins[0], "name": "left"}, twins[1]]
+        assert study_stimuli.problems(db, study(named)) == []
+    assert "same name as number 1" in problem.message
+    assert "name of its own" in (problem.mend or "")
+
+
 def test_a_clip_that_waits_to_be_confirmed_or_is_one_of_two_is_no_stimulus(database) -> None:
     with database.writing() as db:
         known = {clip.name: clip for clip, _ in clips.listed(db, imported=True)}
