@@ -16,6 +16,7 @@ from fastapi import APIRouter, Request
 from fastapi.responses import Response
 
 from app.dependencies import Reading, SignedIn, StudyViewer
+from app.i18n import SOURCE
 from app.pages import render
 from app.schemas.study import Language
 from app.security import CONTENT_POLICY
@@ -60,7 +61,10 @@ def show_preview(
     """The participant's page with what is being edited. Nothing is stored."""
     query = urlencode({"part": part, **({"language": language} if language else {})})
     address = f"/api/v1/studies/{access.slug}/preview?{query}"
-    return render(request, "research/preview.html", headers=FRAMED, address=address)
+    spoken = language or SOURCE
+    return render(
+        request, "research/preview.html", headers=FRAMED, language=spoken, address=address
+    )
 
 
 def _page(
