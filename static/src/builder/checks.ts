@@ -50,7 +50,7 @@ export function checksField(field: Extract<Field, { type: "checks" }>, path: Pat
 function one(check: Obj, path: Path, asked: Asked[], part: Json | undefined, editing: Editing): TemplateResult {
   const kind = KINDS[textOf(check["kind"])];
   if (!kind) return html`<li><p class="quiet">${textOf(check["kind"])}</p></li>`;
-  return html`<li><header><h4>${kind.title}</h4><button class="button quiet icon-button" type="button" aria-label=${`Remove the check “${textOf(check["id"])}”`}
+  return html`<li><header><h3>${kind.title}</h3><button class="button quiet icon-button" type="button" aria-label=${`Remove the check “${textOf(check["id"])}”`}
       @click=${() => editing.set(path, undefined)}>${icon("close")}</button></header>
     ${form(kind.fields, path, editing)}
     ${kind.range === null ? nothing : html`<fieldset class="field" id=${idOf([...path, "answers"])} tabindex="-1"><legend class="label">${kind.range ? "Answers that count as seen" : "The right answer"}</legend>

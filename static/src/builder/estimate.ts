@@ -1,8 +1,8 @@
 // How long a study takes. Rough on purpose: a figure is watched, then each line asked takes a moment.
 import { at, listOf, partsOf, textOf, type Json, type Obj } from "./model";
 
-const WATCHING = 4; // seconds before the first answer to a clip
-const A_LINE = 1.6; // seconds for a step on a scale
+const WATCHING = 6; // seconds before the first answer to a clip
+const A_LINE = 3.2; // seconds for a step on a scale
 const READING = 0.35; // seconds a word
 const A_FIELD = 7;
 

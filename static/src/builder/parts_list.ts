@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
 import { minutes, trialsOf } from "./estimate";
-import { at, inWords, listOf, partsOf, textOf, type Json, type Obj, type Path, type Problem } from "./model";
+import { at, inWords, listOf, moved, partsOf, textOf, type Json, type Obj, type Path, type Problem } from "./model";
 import { handle } from "./sortable";
 
 /** What is being edited: a page that every study has, or a part by its place. */
@@ -14,7 +14,7 @@ export interface PartsList {
   selected: Selected;
   editable: boolean;
   select(what: Selected): void;
-  move(from: number, to: number): void;
+  order(parts: Obj[]): void;
   add(): void;
   goTo(where: Path): void;
 }
@@ -24,7 +24,7 @@ export function partsList(given: PartsList): TemplateResult {
   const consent = textOf(at(given.study, ["consent", "version"]));
   return html`<nav class="parts" aria-label="Parts of the study">
     <div class="fixed">${entry(given, "about", "The study", "")}${entry(given, "welcome", "Welcome and consent", consent && `v${consent}`)}</div>
-    <ol>${parts.map((part, index) => html`<li>${given.editable ? handle(`“${inWords(part["id"])}”`, index, parts.length, given.move) : nothing}
+    <ol>${parts.map((part, index) => html`<li>${given.editable ? handle(`“${inWords(part["id"])}”`, index, parts.length, (from, to) => given.order(moved(parts, from, to))) : nothing}
       ${entry(given, index, inWords(part["id"]) || `Part ${index + 1}`, countOf(part))}</li>`)}</ol>
     <div class="fixed">${entry(given, "thanks", "Thanks and code", "")}</div>
     ${given.editable ? html`<button class="button quiet add-part" type="button" @click=${given.add}>${icon("plus")}Add a part</button>` : nothing}

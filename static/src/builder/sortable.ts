@@ -53,7 +53,7 @@ function dragging(grip: HTMLElement, start: PointerEvent, from: number, move: (f
     const { top, height: other } = list.children[next]!.getBoundingClientRect();
     const beyond = next > now ? clientY > top + other - height : clientY < top + height;
     if (!beyond) return;
-    move(now, next);
+    move(from, next); // counted in the list as it was when the drag began
     now = next;
     requestAnimationFrame(mark);
   };

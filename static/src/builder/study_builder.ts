@@ -12,7 +12,7 @@ import { ABOUT, CLIPS, CONSENT, fieldsOf, PAGES, SHOWN, TASKS, THANKS, WELCOME }
 import { form, idOf, type Editing } from "./form";
 import {
   at, duplicated, freeName, inWords, languagesOf, LANGUAGES, moved, partsOf, put, renamedPart, textOf, withoutPart,
-  type Json, type Language, type Path, type Problem, type Study,
+  type Json, type Language, type Obj, type Path, type Problem, type Study,
 } from "./model";
 import { partsList, selectedBy, type Selected } from "./parts_list";
 import { Saving } from "./saving";
@@ -139,9 +139,10 @@ export class StudyBuilder extends LitElement {
     void this.updateComplete.then(() => this.querySelector(".part-form")?.scrollTo({ top: 0 }));
   }
 
-  private movePart(from: number, to: number): void {
-    this.selected = this.selected === from ? to : this.selected;
-    this.change(put(this.draft, ["parts"], moved(partsOf(this.draft), from, to)), "move part");
+  private order(parts: Obj[]): void {
+    const open = typeof this.selected === "number" ? partsOf(this.draft)[this.selected] : undefined;
+    if (open) this.selected = parts.findIndex(({ id }) => id === open["id"]);
+    this.change(put(this.draft, ["parts"], parts), "order");
   }
 
   private add(kind: string, task?: string): void {
@@ -222,7 +223,7 @@ export class StudyBuilder extends LitElement {
     return html`${this.header()}
       <div class="segments view-choice" role="group" aria-label="What to show">${show("parts", "Parts")}${show("form", "Edit")}${show("preview", "Preview")}</div>
       <div class=${`builder show-${this.view}`}>
-        ${partsList({ study: this.draft, problems, selected, editable, select: (what) => this.select(what), move: (from, to) => this.movePart(from, to), add: () => this.dialog("add-dialog").showModal(), goTo: this.goTo })}
+        ${partsList({ study: this.draft, problems, selected, editable, select: (what) => this.select(what), order: (next) => this.order(next), add: () => this.dialog("add-dialog").showModal(), goTo: this.goTo })}
         <section class="part-form" aria-label="Form">${this.failure()}${this.partForm()}</section>
         <study-preview slug=${study.slug} at=${part} language=${this.language} stored=${this.stored} ?waiting=${problems.length > 0}></study-preview>
       </div>
@@ -269,7 +270,7 @@ export class StudyBuilder extends LitElement {
     const act = (word: string, can: boolean, run: () => void, name: string) => html`<button class="button quiet" type="button" ?disabled=${!can} @click=${run}>${icon(name)}${word}</button>`;
     const base = ["parts", index];
     return html`<header><h2>${inWords(part["id"])}</h2><p class="quiet">${kind ? `${kind.title}. ${kind.about}.` : `This kind, ${textOf(part["kind"])}, is not known here.`}</p>
-      <div class="buttons part-acts">${act("Up", index > 0, () => this.movePart(index, index - 1), "up")}${act("Down", index < parts.length - 1, () => this.movePart(index, index + 1), "down")}
+      <div class="buttons part-acts">${act("Up", index > 0, () => this.order(moved(parts, index, index - 1)), "up")}${act("Down", index < parts.length - 1, () => this.order(moved(parts, index, index + 1)), "down")}
         ${act("Duplicate", true, () => this.change(duplicated(this.draft, index), "duplicate"), "copy")}${act("Remove", true, () => this.change(withoutPart(this.draft, index), "remove"), "close")}</div></header>
       ${task ? html`${form(task.fields, base, this.editing)}${form(CLIPS, base, this.editing)}${form(SHOWN, base, this.editing)}` : form(fieldsOf(part), base, this.editing)}`;
   }

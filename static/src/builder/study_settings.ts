@@ -101,12 +101,12 @@ export class StudySettings extends LitElement {
   protected override render(): TemplateResult {
     const { study } = this;
     const editable = study.role !== "viewer";
-    return html`<header class="page-header"><h1>${study.title}</h1><span class="tiny" role="status">${editable ? this.said : "You may look, not change"}</span></header>
+    return html`<p class="tiny settings-said" role="status">${editable ? this.said : "You may look, not change"}</p>
       ${this.refused && !this.problems.length ? refusal(this.refused) : nothing}
       ${this.stateSection(editable)}
       <form class="settings" @submit=${this.save} novalidate><fieldset class="settings-form" ?disabled=${!editable}>${this.sections()}</fieldset>
-        ${editable ? html`<div class="settings-save"><button class="button primary" type="submit" ?disabled=${!this.isChanged}>Save</button>
-          ${this.problems.length ? html`<p class="fault" role="alert">${icon("warning")}<span>Not saved. Mend the marked fields.</span></p>` : this.isChanged ? html`<p class="tiny">Not saved yet.</p>` : nothing}</div>` : nothing}</form>
+        ${editable && (this.isChanged || this.problems.length) ? html`<div class="settings-save"><button class="button primary" type="submit" ?disabled=${!this.isChanged}>Save</button>
+          ${this.problems.length ? html`<p class="fault" role="alert">${icon("warning")}<span>Not saved. Mend the marked fields.</span></p>` : html`<p class="tiny">Not saved yet.</p>`}</div>` : nothing}</form>
       ${editable ? this.invitations() : nothing}
       <section class="section" aria-labelledby="members-title"><header><h2 id="members-title">People</h2></header><study-members slug=${study.slug}></study-members></section>
       ${this.ending(editable)}`;

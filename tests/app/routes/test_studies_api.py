@@ -184,7 +184,8 @@ def test_a_change_makes_a_version_that_says_what_it_changes(
         "“gait”: the question is “Do you agree?”.",
     ]
     study = signed_in.get(f"{STUDIES}/gaits").json()
-    assert [(one["number"], one["hash"]) for one in study["versions"]][0] == (2, told["hash"])
+    newest = study["versions"][0]
+    assert (newest["number"], newest["hash"]) == (2, told["hash"])
     assert study["title"] == "Other gaits"
 
 
