@@ -8,7 +8,7 @@ from datetime import datetime
 from typing import Any, NamedTuple
 
 from sqlalchemy import ColumnElement, Row, and_, bindparam, delete, func, insert, null, select
-from sqlalchemy.orm import Session, aliased
+from sqlalchemy.orm import Session, aliased, defer
 
 from app.persistence.models import (
     ClipRecord,
@@ -181,6 +181,8 @@ def stream(
         .join(StudySession, StudySession.id == Response.session_id)
         .where(StudySession.study_id == study.id, StudySession.kind == kind)
         .order_by(StudySession.created_at, StudySession.id, Response.id)
+        # A plan may be as large as all its session's answers, and would be read with each of them.
+        .options(defer(StudySession.plan, raiseload=True))
         .execution_options(yield_per=500)
     )
 

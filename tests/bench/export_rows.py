@@ -24,15 +24,16 @@ from sqlalchemy import insert
 
 from app.persistence import schema
 from app.persistence.engine import Database, make_engine
-from app.persistence.models import Response, StudySession
+from app.persistence.models import Response, StudySession, StudyVersion
 from app.services import exports, psych_ds, studies
+from app.services.exports import Exported
 from app.studies import emotion
 from tests.bench.measure import Row
 from tests.support.simulate import add_study
 
 ANSWERS = 1_000_000
 AT_ONCE = 500  # participants in one insert
-EXPORTS: dict[str, Callable[[Database, str], Iterator[str] | Iterator[bytes]]] = {
+EXPORTS: dict[str, Callable[[Exported], Iterator[str] | Iterator[bytes]]] = {
     "long CSV": exports.responses_csv,
     "wide CSV": exports.wide_csv,
     "JSON lines": exports.responses_jsonl,
@@ -59,19 +60,20 @@ def fill(url: str, answers: int) -> int:
     schema.upgrade(database.engine)
     with database.writing() as db:
         definition = add_study(db)
-        study = studies.find(db, emotion.SLUG)
-        clips = [stimulus.clip for stimulus in definition.stimuli]
-        trials = [*clips[: definition.practice], *clips]
+        version = studies.newest(db, studies.find(db, emotion.SLUG))
+        (part,) = definition.trials
+        clips = [stimulus.clip for stimulus in part.stimuli]
+        trials = [*clips[: part.practice], *clips]
         people = -(-answers // len(trials))
         generator = np.random.default_rng(1)
         for start in range(0, people, AT_ONCE):
             chosen = range(start, min(start + AT_ONCE, people))
-            sessions = [_session(study.id, number) for number in chosen]
+            sessions = [_session(version, number) for number in chosen]
             db.execute(insert(StudySession), sessions)
             db.execute(
                 insert(Response),
                 [
-                    _answer(session["id"], index, clip, definition.practice, generator)
+                    _answer(session["id"], index, clip, part.practice, generator)
                     for session in sessions
                     for index, clip in enumerate(trials)
                 ],
@@ -81,10 +83,11 @@ def fill(url: str, answers: int) -> int:
     return people * len(trials)
 
 
-def _session(study: int, number: int) -> dict[str, object]:
+def _session(version: StudyVersion, number: int) -> dict[str, object]:
     began = datetime(2026, 1, 1, tzinfo=UTC) + timedelta(seconds=number)
     return {
-        "id": uuid.UUID(int=number), "study_id": study, "token_hash": f"{number:064x}",
+        "id": uuid.UUID(int=number), "study_id": version.study_id, "version_id": version.id,
+        "slot": number, "token_hash": f"{number:064x}",
         "seed": number, "state": "complete", "consent_version": "1", "consented_at": began,
         "completed_at": began, "user_agent_class": "phone", "created_at": began,
     }  # fmt: skip
@@ -94,9 +97,10 @@ def _answer(
     session: object, index: int, clip: str, practice: int, generator: np.random.Generator
 ) -> dict[str, object]:
     drawn = generator.integers(-2, 3, 6).tolist()
-    values = {scale.id: value for scale, value in zip(emotion.SCALES, drawn, strict=True)}
+    values = {scale["id"]: value for scale, value in zip(emotion.SCALES, drawn, strict=True)}
     return {
         "session_id": session, "trial_index": index, "revision": 1, "clip_id": clip,
+        "part": "emotions", "trial_type": "semantic_differential", "clips": [clip],
         "practice": index < practice, "answers": values, "rt_ms": 5000.5, "fingerprint": "0" * 64,
         "comment": "seems to look for something" if index % 5 == 0 else "",
         "record": {
@@ -120,9 +124,9 @@ def _apart(url: str, name: str) -> tuple[float, float]:
 def measure(url: str, name: str) -> tuple[float, float]:
     """Seconds, and MB by which the peak of resident memory lies above that before the export."""
     database = Database(make_engine(url))
-    exports.exported(database, emotion.SLUG)  # what the server has loaded anyway
+    found = exports.exported(database, emotion.SLUG)  # what the server has loaded anyway
     before, started = _resident(), time.perf_counter()
-    for _ in EXPORTS[name](database, emotion.SLUG):
+    for _ in EXPORTS[name](found):
         pass
     return time.perf_counter() - started, _peak() - before
 
