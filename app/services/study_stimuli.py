@@ -114,7 +114,9 @@ class _Library:
         references = {reference for _, reference in _references(definition)}
         self._found: dict[str, list[ClipRecord]] = {one: [] for one in references}
         for clip in clips.named(db, references):
-            self._found[clip.id if clip.id in references else clip.name].append(clip)
+            own = {clip.id} if clip.state == "retired" else {clip.id, clip.name}
+            for called in own & references:
+                self._found[called].append(clip)
         self.made: dict[str, _Made] = {}
         self._ids: dict[str, str] = {}
         self._faults: list[Problem] = []
