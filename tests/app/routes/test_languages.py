@@ -236,3 +236,10 @@ def test_an_mturk_worker_who_only_looks_is_told_to_accept_first(client, open_stu
     page = client.get(f"{WELCOME}?lang=ja&assignmentId=ASSIGNMENT_ID_NOT_AVAILABLE")
     assert "これはプレビューです。" in shown(page)
     assert "<form" not in page.text
+
+
+def test_a_preview_speaks_the_language_that_is_looked_at(client, open_study, signed_in):
+    open_study()
+    preview = f"/research/studies/{SLUG}/preview"
+    assert '<html lang="fi"' in client.get(f"{preview}?language=fi").text
+    assert "最初の動きを読み込んでいます。" in shown(client.get(f"{preview}?language=ja"))
