@@ -57,7 +57,9 @@ class AxisWords:
     def answers(self) -> list[str]:
         """Each step with its pole, as a legend names it: very sad ... very happy."""
         if not self.bipolar:
-            return list(self.steps)
+            alike = len(set(self.steps)) < len(self.steps)
+            numbered = enumerate(self.steps, round(self.lowest))
+            return [f"{value} {word}" if alike else word for value, word in numbered]
         half = len(self.steps) // 2
         left = [f"{step} {self.left}" for step in self.steps[:half]]
         right = [f"{step} {self.right}" for step in self.steps[half + 1 :]]

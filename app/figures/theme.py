@@ -94,9 +94,21 @@ def step_colours(
 ) -> tuple[list[str], list[str]]:
     """Fill and text colour of each step; the tokens have five, more steps share by nearness.
 
-    Where the axis has one direction only, the colours go from the middle to the right pole's.
+    Where the axis has one direction only, the colours go from the middle's to the right pole's.
     """
-    first = 0 if bipolar else len(colours.steps) // 2
-    reach = len(colours.steps) - 1 - first
-    nearest = [first + round(index * reach / (steps - 1)) for index in range(steps)]
-    return [colours.steps[i] for i in nearest], [colours.on_steps[i] for i in nearest]
+    last = len(colours.steps) - 1
+    first = 0 if bipolar else last // 2
+    places = [first + index * (last - first) / (steps - 1) for index in range(steps)]
+    nearest = [round(place) for place in places]
+    fills = [colours.steps[i] for i in nearest]
+    if not bipolar:  # three colours for many steps: those between are mixed
+        fills = [_mixed(colours.steps, place) for place in places]
+    return fills, [colours.on_steps[i] for i in nearest]
+
+
+def _mixed(colours: tuple[str, ...], place: float) -> str:
+    """The colour between two neighbours of a row of #rrggbb, by its place in the row."""
+    low = min(int(place), len(colours) - 2)
+    one, other = (bytes.fromhex(colours[i].removeprefix("#")) for i in (low, low + 1))
+    mixed = (a + (b - a) * (place - low) for a, b in zip(one, other, strict=True))
+    return "#" + "".join(f"{round(part):02x}" for part in mixed)

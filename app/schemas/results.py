@@ -160,6 +160,7 @@ class StudyResults(Result):
     """All of the results page's numbers, of one part.
 
     Attributes:
+        state: of the study: open, paused or closed.
         study_hash: of the newest version.
         needed: complete participants below which nothing is computed.
         participants: complete ones that saw the part, whose answers are analysed.
@@ -173,6 +174,7 @@ class StudyResults(Result):
 
     slug: str
     title: str
+    state: str
     study_hash: str
     needed: int
     participants: int

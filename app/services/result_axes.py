@@ -65,11 +65,13 @@ def _axis(measure: Measure, clips: Sequence[Clip], ratings: Samples) -> Axis:
     sentence = too_few(len(ratings))
     if known:
         (low, lowest), (high, highest) = min(known), max(known)
-        sentence = sentences.extremes((measure.left, lowest, low), (measure.right, highest, high))
-    bipolar = measure.trial_type in ("semantic_differential", "analogue")
+        left, right = (measure.left, lowest, low), (measure.right, highest, high)
+        poled = measure.trial_type not in ("unipolar", "likert")
+        sentence = sentences.extremes(left, right) if poled else sentences.range_of(left, right)
+    between = measure.trial_type in ("semantic_differential", "analogue")
     return Axis(
         id=measure.id,
-        title=f"{measure.left} – {measure.right}" if bipolar else _unquoted(measure),
+        title=f"{measure.left} – {measure.right}" if between else _unquoted(measure),
         left=measure.left,
         right=measure.right,
         bipolar=measure.trial_type == "semantic_differential",
@@ -82,7 +84,7 @@ def _axis(measure: Measure, clips: Sequence[Clip], ratings: Samples) -> Axis:
 
 
 def _unquoted(measure: Measure) -> str:
-    names = {"parallel": "rating", "ranking": "rank"}
+    names = {"parallel": "Rating", "ranking": "Rank"}
     return names.get(measure.trial_type) or measure.title.strip("“”")
 
 

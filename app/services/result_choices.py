@@ -38,7 +38,7 @@ def _chosen(asked: Pooled, clips: Sequence[Clip], rows: Sequence[Counted], enoug
         title="How often each clip was chosen",
         chance=1 / min(sizes) if len(sizes) == 1 and no_figure(asked) is None else None,
         rows=found,
-        sentence=_sentence(found, rows, "chosen most often"),
+        sentence=_sentence(found, rows),
     )
 
 
@@ -61,7 +61,7 @@ def _correct(clips: Sequence[Clip], rows: Sequence[Counted], enough: bool) -> Ch
         title="How often X was recognised",
         chance=0.5,
         rows=found,
-        sentence=_sentence(found[:1], rows, "told apart"),
+        sentence=_sentence(found[:1], rows, recognised=True),
     )
 
 
@@ -89,8 +89,12 @@ def _share(name: str, clip: str | None, chosen: int, shown: int, enough: bool) -
     )  # fmt: skip
 
 
-def _sentence(rows: Sequence[Share], answers: Sequence[Counted], how: str) -> str:
+def _sentence(
+    rows: Sequence[Share], answers: Sequence[Counted], *, recognised: bool = False
+) -> str:
     best = max(rows, key=lambda row: row.share or 0, default=None)
     if best is None or best.share is None or best.low is None or best.high is None:
         return too_few(len({row.session_id for row in answers}))
-    return sentences.most_chosen(best.name, how, best.chosen, best.shown, best.low, best.high)
+    if recognised:
+        return sentences.recognised(best.chosen, best.shown, best.low, best.high)
+    return sentences.most_chosen(best.name, best.chosen, best.shown, best.low, best.high)

@@ -58,6 +58,7 @@ def results(
     return StudyResults(
         slug=slug,
         title=str(newest.definition.title),
+        state=study.state,
         study_hash=newest.hash,
         needed=NEEDED,
         participants=people,

@@ -45,9 +45,26 @@ def extremes(left: tuple[str, str, float], right: tuple[str, str, float]) -> str
     )
 
 
-def most_chosen(name: str, how: str, chosen: int, shown: int, low: float, high: float) -> str:
+def range_of(lowest: tuple[str, str, float], highest: tuple[str, str, float]) -> str:
+    """The clips of lowest and highest mean: (end's word, clip's label, mean) of either."""
+    (_, low_label, low), (_, high_label, high) = lowest, highest
+    return (
+        f"On average “{low_label}” was rated lowest (M = {number(low)}) and “{high_label}” "
+        f"highest (M = {number(high)})."
+    )
+
+
+def recognised(right: int, shown: int, low: float, high: float) -> str:
+    """How often X was recognised; low and high are Wilson's 95 % interval, in 0 ... 1."""
+    return (
+        f"X was recognised in {right} of {shown} trials, {100 * right / shown:.0f} % "
+        f"(95 % CI {100 * low:.0f} to {100 * high:.0f} %); by guessing it would be 50 %."
+    )
+
+
+def most_chosen(name: str, chosen: int, shown: int, low: float, high: float) -> str:
     """What stood out among choices; low and high are Wilson's 95 % interval, in 0 ... 1."""
     return (
-        f"“{name}” was {how}: in {chosen} of {shown} trials, {100 * chosen / shown:.0f} % "
-        f"(95 % CI {100 * low:.0f} to {100 * high:.0f} %)."
+        f"“{name}” was chosen most often: in {chosen} of {shown} trials, "
+        f"{100 * chosen / shown:.0f} % (95 % CI {100 * low:.0f} to {100 * high:.0f} %)."
     )

@@ -3674,6 +3674,7 @@ export interface components {
          * @description All of the results page's numbers, of one part.
          *
          *     Attributes:
+         *         state: of the study: open, paused or closed.
          *         study_hash: of the newest version.
          *         needed: complete participants below which nothing is computed.
          *         participants: complete ones that saw the part, whose answers are analysed.
@@ -3689,6 +3690,8 @@ export interface components {
             slug: string;
             /** Title */
             title: string;
+            /** State */
+            state: string;
             /** Study Hash */
             study_hash: string;
             /** Needed */
