@@ -55,13 +55,13 @@ const hash = (value: string) => html`<p class="hash"><span class="label">Hash</s
 
 export const refusal = ({ message, mend }: ApiError): TemplateResult => html`<div class="note note-bad" role="alert">${icon("warning")}<div><p><b>${message}</b></p>${mend ? html`<p>${mend}</p>` : nothing}</div></div>`;
 
-export function versionsDialog(study: Study, discard: (() => void) | null): TemplateResult {
+export function versionsDialog(study: Study, isDraft: boolean, discard: (() => void) | null): TemplateResult {
   const address = `/api/v1/studies/${study.slug}/file`;
   const files = (query: string) => html`<a href=${`${address}?format=yaml${query}`} download>YAML</a> <a href=${`${address}?format=json${query}`} download>JSON</a>`;
   return html`<dialog class="builder-dialog" id="versions-dialog" aria-labelledby="versions-title">${head("Versions", "versions-title")}
     <ul class="versions">
-      <li><header><h3>${study.draft ? "Draft" : "What you see"}</h3>${files("")}</header>
-        ${discard ? html`<button class="button quiet" type="button" @click=${discard}>Go back to version ${study.versions[0]?.number}</button>` : nothing}</li>
+      ${isDraft ? html`<li><header><h3>Draft</h3>${files("")}</header>
+        ${discard ? html`<button class="button" type="button" @click=${discard}>Go back to version ${study.versions[0]?.number}</button>` : nothing}</li>` : nothing}
       ${study.versions.map((version) => html`<li><header><h3>Version ${version.number}</h3>${files(`&version=${version.number}`)}</header>
         <p class="tiny">${new Date(version.published_at).toLocaleString()} · ${version.sessions} ${version.sessions === 1 ? "participant" : "participants"}</p>
         <ul class="changes">${version.changes.map((sentence) => html`<li>${sentence}</li>`)}</ul>${hash(version.hash)}</li>`)}

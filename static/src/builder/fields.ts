@@ -16,9 +16,10 @@ export type Field = Common &
   (
     | { type: "words"; long?: boolean }
     | { type: "text"; placeholder?: string }
-    | { type: "number"; min?: number; max?: number; step?: "any"; unit?: string }
+    | { type: "number"; start?: number; min?: number; max?: number; step?: "any"; unit?: string }
     | { type: "time" }
-    | { type: "switch"; on?: Json; off?: Json }
+    /** `start` is what holds where the study file says nothing. */
+    | { type: "switch"; start?: boolean }
     | { type: "choice"; options: readonly [value: string, label: string][] }
     | { type: "list"; rows: readonly Field[]; one: string; blank: (index: number, ids: readonly string[]) => Json; inline?: boolean }
     /** A list of texts in several languages. */
@@ -78,8 +79,8 @@ export const TASKS: Record<string, Kind> = {
     title: "Opposite words", about: "One figure, steps between two words",
     fields: [
       ...question, scales("Scales"), steps("From the left word to the right one; an odd number."),
-      { type: "switch", at: "task.preselected", label: "Middle preselected until touched", on: true, off: false },
-      { type: "switch", at: "task.shuffle_scales", label: "Scales in another order for each participant", on: true, off: false },
+      { type: "switch", at: "task.preselected", label: "Middle preselected until touched", start: true },
+      { type: "switch", at: "task.shuffle_scales", label: "Scales in another order for each participant" },
       comment,
       { type: "clip", at: "task.reference", label: "Reference figure, in red beside the judged one", optional: true },
     ],
@@ -112,12 +113,12 @@ export const TASKS: Record<string, Kind> = {
   },
   choose: {
     title: "Choose one", about: "Several figures in step, one is chosen",
-    fields: [...question, { type: "switch", at: "task.allow_none", label: "“None of them” can be chosen", on: true, off: false }, comment],
+    fields: [...question, { type: "switch", at: "task.allow_none", label: "“None of them” can be chosen" }, comment],
     blank: { kind: "choose", question: "Which one moves most naturally?" },
   },
   ab: {
     title: "A or B", about: "Two figures, one is chosen",
-    fields: [...question, { type: "switch", at: "task.allow_same", label: "“No difference” can be chosen", on: true, off: false }, comment],
+    fields: [...question, { type: "switch", at: "task.allow_same", label: "“No difference” can be chosen" }, comment],
     blank: { kind: "ab", question: "Which one moves more naturally?" },
   },
   abx: {
@@ -137,7 +138,7 @@ export const TASKS: Record<string, Kind> = {
   },
   free_text: {
     title: "Own words", about: "One figure, described in one’s own words",
-    fields: [...question, { type: "switch", at: "task.required", label: "An answer is needed", on: true, off: false }],
+    fields: [...question, { type: "switch", at: "task.required", label: "An answer is needed", start: true }],
     blank: { kind: "free_text", question: "How would you describe this movement?", required: true },
   },
 };
@@ -153,7 +154,7 @@ export const CLIPS: readonly Field[] = [
     type: "choice", at: "order", label: "Order",
     options: [["shuffle", "Shuffled for each participant"], ["latin_square", "Balanced Latin square"], ["fixed", "As listed"]],
   },
-  { type: "number", at: "practice", label: "Clips first as practice, not analysed", min: 0 },
+  { type: "number", at: "practice", label: "Clips first as practice, not analysed", start: 0, min: 0 },
   { type: "number", at: "subset", label: "Clips that each participant sees", min: 1, optional: true, hint: "Empty: all of them." },
   { type: "sets", at: "sets", label: "Which stand together", optional: true, when: isOfMany },
   { type: "choice", at: "block_by", label: "Keep together", optional: true, options: [["", "Nothing"], ["body", "Clips of one body"], ["style", "Clips of one style"]] },
@@ -169,7 +170,7 @@ const options: Field = {
   when: ({ type }) => String(type).startsWith("choice"),
   rows: [
     { type: "words", at: "label", label: "Answer" },
-    { type: "switch", at: "screens_out", label: "ends the study", on: true },
+    { type: "switch", at: "screens_out", label: "ends the study" },
   ],
   blank: (index, ids) => ({ id: freshId("option", index, ids), label: "" }),
 };
@@ -192,7 +193,7 @@ export const PAGES: Record<string, Kind> = {
           { type: "number", at: "maximum", label: "At most", step: "any", optional: true, when: ofNumbers },
           { type: "words", at: "unit", label: "Unit", optional: true, when: ofNumbers },
           options,
-          { type: "switch", at: "required", label: "An answer is needed", on: true, off: false },
+          { type: "switch", at: "required", label: "An answer is needed", start: true },
           { type: "text", at: "id", label: "Name in the results" },
         ],
         blank: (index, ids) => ({ id: freshId("question", index, ids), label: "", type: "text", required: true }),
@@ -222,7 +223,7 @@ export const PAGES: Record<string, Kind> = {
     fields: [
       { type: "words", at: "question", label: "Question" },
       { type: "words", at: "placeholder", label: "Grey text in the box", optional: true },
-      { type: "switch", at: "required", label: "An answer is needed", on: true, off: false },
+      { type: "switch", at: "required", label: "An answer is needed" },
     ],
     blank: { kind: "comment", question: "Is there anything else you would like to tell us?" },
   },
@@ -237,7 +238,7 @@ export const PAGES: Record<string, Kind> = {
 export const ABOUT: readonly Field[] = [
   { type: "text", at: "title", label: "Title", hint: "Researchers see it; participants see the welcome page’s heading." },
   { type: "languages", at: "languages", label: "Languages" },
-  { type: "switch", at: "back", label: "Participants can go back and change an answer", on: true, off: false },
+  { type: "switch", at: "back", label: "Participants can go back and change an answer", start: true },
   { type: "text", at: "contact", label: "Your mail address, for participants", optional: true, placeholder: "name@example.org" },
   {
     type: "list", at: "groups", label: "Groups, equally large", one: "group", inline: true,

@@ -6,7 +6,7 @@ import type { Clip } from "../library/model";
 import { checksField } from "./checks";
 import { clipField, clipsField } from "./clips";
 import type { Field } from "./fields";
-import { at, isObj, languagesOf, LANGUAGES, listOf, objOf, partsOf, problemsAt, textOf, wordsIn, wordsWith, type Json, type Language, type Path, type Problem } from "./model";
+import { at, isObj, languagesOf, LANGUAGES, listOf, objOf, partsOf, problemsAt, said, textOf, wordsIn, wordsWith, type Json, type Language, type Path, type Problem } from "./model";
 import { sortable } from "./sortable";
 
 /** What the forms work on, and how they change it. */
@@ -57,10 +57,10 @@ const DRAW: { [T in Field["type"]]: Draw<T> } = {
     const change = (event: Event) => {
       const input = event.target as HTMLInputElement;
       if (input.value !== "") editing.set(path, input.valueAsNumber);
-      else if (!input.validity.badInput) editing.set(path, field.optional ? undefined : 0);
+      else if (!input.validity.badInput) editing.set(path, field.optional ? undefined : (field.start ?? 0));
     };
     return labelled(field, path, html`<input class="input short" id=${idOf(path)} type="number" min=${field.min ?? nothing} max=${field.max ?? nothing} step=${field.step ?? 1}
-      .value=${live(typeof value === "number" ? String(value) : "")} @change=${change} aria-describedby=${`${idOf(path)}-note`} aria-invalid=${invalid(path, editing)}>`, editing);
+      .value=${live(String(typeof value === "number" ? value : (field.start ?? "")))} @change=${change} aria-describedby=${`${idOf(path)}-note`} aria-invalid=${invalid(path, editing)}>`, editing);
   },
   time: (field, path, value, editing) => {
     const change = (event: Event) => {
@@ -71,9 +71,8 @@ const DRAW: { [T in Field["type"]]: Draw<T> } = {
       aria-describedby=${`${idOf(path)}-note`} aria-invalid=${invalid(path, editing)}>`, editing);
   },
   switch: (field, path, value, editing) => {
-    const { on = true, off } = field;
-    const change = (event: Event) => editing.set(path, (event.target as HTMLInputElement).checked ? on : off);
-    return html`<div class="field"><label class="toggle"><input type="checkbox" role="switch" id=${idOf(path)} .checked=${live(value === on || (value === undefined && isOnUnlessSaid(field)))} @change=${change}><span>${field.label}</span></label>${notes(field, path, editing)}</div>`;
+    const change = (event: Event) => editing.set(path, (event.target as HTMLInputElement).checked);
+    return html`<div class="field"><label class="toggle"><input type="checkbox" role="switch" id=${idOf(path)} .checked=${live(value === undefined ? field.start === true : value === true)} @change=${change}><span>${field.label}</span></label>${notes(field, path, editing)}</div>`;
   },
   choice: (field, path, value, editing) => {
     const chosen = textOf(value) || (field.options[0]?.[0] ?? "");
@@ -163,14 +162,13 @@ function labelled(field: Field, path: Path, control: TemplateResult, editing: Ed
 export function notes(field: { hint?: string }, path: Path, { problems }: Pick<Editing, "problems">, deep = false): TemplateResult {
   const found = problemsAt(problems, path, deep);
   return html`<div id=${`${idOf(path)}-note`} class="field-note">${found.length
-    ? found.map(({ message, mend }) => html`<p class="fault">${icon("warning")}<span>${message} ${mend ?? ""}</span></p>`)
+    ? found.map((problem) => html`<p class="fault">${icon("warning")}<span>${said(problem, "This")} ${problem.mend ?? ""}</span></p>`)
     : field.hint ? html`<p class="hint">${field.hint}</p>` : nothing}</div>`;
 }
 
 const invalid = (path: Path, { problems }: Editing, deep = false): string => String(problemsAt(problems, path, deep).length > 0);
 const valueOf = (event: Event): string => (event.target as HTMLInputElement).value;
 const orLeftOut = (field: Field, value: Json): Json | undefined => (field.optional && value === "" ? undefined : value);
-const isOnUnlessSaid = (field: Of<"switch">): boolean => field.off === false;
 
 function localTime(iso: string): string {
   if (!iso) return "";

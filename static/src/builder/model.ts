@@ -58,6 +58,11 @@ export const samePath = (one: Path, other: Path): boolean =>
 export const problemsAt = (problems: readonly Problem[], path: Path, deep = false): Problem[] =>
   problems.filter(({ where }) => samePath(where.slice(0, path.length), path) && (deep || where.length === path.length));
 
+/** A problem's message where its place stands beside it, so that its name need not. */
+export function said({ where, message }: Problem, what: string): string {
+  return message.replace(`“${where.at(-1)}” `, `${what} `);
+}
+
 export const partsOf = (study: Json): Obj[] => listOf(at(study, ["parts"])).map(objOf);
 
 export function languagesOf(study: Json): Language[] {

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
 import { minutes, trialsOf } from "./estimate";
-import { at, inWords, listOf, moved, partsOf, textOf, type Json, type Obj, type Path, type Problem } from "./model";
+import { at, inWords, listOf, moved, partsOf, said, textOf, type Json, type Obj, type Path, type Problem } from "./model";
 import { handle } from "./sortable";
 
 /** What is being edited: a page that every study has, or a part by its place. */
@@ -46,6 +46,12 @@ function entry({ problems, selected, select }: PartsList, what: Selected, name: 
     ${count ? html`<span class="count">${count}</span>` : nothing}</button>`;
 }
 
+/** What a place is called in the list: the name of its field; a text's language says nothing there. */
+function nameAt(where: Path): string {
+  const names = where.filter((step) => typeof step === "string" && !["en", "fi", "ja"].includes(step));
+  return inWords(String(names.at(-1) ?? ""));
+}
+
 const countOf = (part: Obj): string => {
   if (part["kind"] === "trials") return String(listOf(part["stimuli"]).length || "");
   return part["kind"] === "form" ? String(listOf(part["fields"]).length || "") : "";
@@ -63,5 +69,5 @@ function problemList({ problems, goTo, study }: PartsList): TemplateResult | typ
     return typeof what === "number" ? inWords(at(study, ["parts", what, "id"])) : { about: "The study", welcome: "Welcome and consent", thanks: "Thanks" }[what];
   };
   return html`<details class="problems" open><summary>${problems.length} to mend before publishing</summary>
-    <ul>${problems.map(({ where, message }) => html`<li><button class="link-button" type="button" @click=${() => goTo(where)}>${nameOf(where)}</button> ${message}</li>`)}</ul></details>`;
+    <ul>${problems.map((problem) => html`<li><button class="link-button" type="button" @click=${() => goTo(problem.where)}>${nameOf(problem.where)}</button> ${said(problem, nameAt(problem.where))}</li>`)}</ul></details>`;
 }

@@ -15,6 +15,8 @@ export class StudyPreview extends LitElement {
   @property({ type: Number }) stored = 0;
   /** The draft cannot be shown; what was shown last stays. */
   @property({ type: Boolean }) waiting = false;
+  /** What is shown stays until the newest draft is stored. */
+  @property({ type: Boolean }) held = false;
   @state() private size: keyof typeof SIZES = "phone";
   /** A page in a frame would take the focus from the field that is being filled in. */
   @state() private inUse = false;
@@ -43,7 +45,7 @@ export class StudyPreview extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    if (!this.waiting) this.shown = this.address;
+    if (!this.waiting && !this.held) this.shown = this.address;
     const choose = (size: keyof typeof SIZES) => html`<button type="button" aria-pressed=${this.size === size} @click=${() => (this.size = size)}>${icon(size)}${size === "phone" ? "Phone" : "Desktop"}</button>`;
     return html`<div class="preview-bar"><div class="segments" role="group" aria-label="Size of the preview">${choose("phone")}${choose("desktop")}</div>
         <button class="button quiet" type="button" ?disabled=${!this.shown} @click=${this.use}>Try it</button></div>

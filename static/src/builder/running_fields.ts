@@ -4,7 +4,7 @@ import type { Field } from "./fields";
 const code = (at: string, label: string, optional: boolean): Field => ({ type: "text", at, label, ...(optional ? { optional } : {}) });
 
 export const WHO: readonly Field[] = [
-  { type: "switch", at: "open_link", label: "Whoever has the link may take part", on: true, off: false },
+  { type: "switch", at: "open_link", label: "Whoever has the link may take part", start: true },
   { type: "number", at: "quota", label: "How many may complete it", min: 1, optional: true, hint: "Empty: any number." },
   { type: "time", at: "opens_at", label: "Opens", optional: true },
   { type: "time", at: "closes_at", label: "Closes", optional: true },
@@ -31,7 +31,7 @@ export const SONA: readonly Field[] = [
 export const MTURK: readonly Field[] = [
   {
     type: "group", at: "mturk", label: "Mechanical Turk", optional: true, blank: { sandbox: false },
-    fields: [{ type: "switch", at: "sandbox", label: "In the sandbox", on: true, off: false }],
+    fields: [{ type: "switch", at: "sandbox", label: "In the sandbox" }],
   },
 ];
 

@@ -90,6 +90,11 @@ export class StudyBuilder extends LitElement {
     return this.history.present;
   }
 
+  /** What is shown is no version, or no longer. */
+  private get isDraft(): boolean {
+    return this.study.draft !== null || this.draft !== (this.study.definition as Json);
+  }
+
   private get editable(): boolean {
     return this.study.role !== "viewer";
   }
@@ -147,7 +152,7 @@ export class StudyBuilder extends LitElement {
 
   private add(kind: string, task?: string): void {
     const parts = partsOf(this.draft);
-    const id = freeName(task ?? kind, parts.map((part) => textOf(part["id"])));
+    const id = freeName(task ? TASKS[task]!.title : PAGES[kind]!.title, parts.map((part) => textOf(part["id"])));
     const part = task ? { id, kind: "trials", task: TASKS[task]!.blank, stimuli: [], order: "shuffle" } : { id, ...PAGES[kind]!.blank };
     const place = typeof this.selected === "number" ? this.selected + 1 : this.selected === "thanks" ? parts.length : kind === "form" || kind === "instructions" ? 0 : parts.length;
     this.change(put(this.draft, ["parts"], [...parts.slice(0, place), part, ...parts.slice(place)]), "add part");
@@ -225,19 +230,18 @@ export class StudyBuilder extends LitElement {
       <div class=${`builder show-${this.view}`}>
         ${partsList({ study: this.draft, problems, selected, editable, select: (what) => this.select(what), order: (next) => this.order(next), add: () => this.dialog("add-dialog").showModal(), goTo: this.goTo })}
         <section class="part-form" aria-label="Form">${this.failure()}${this.partForm()}</section>
-        <study-preview slug=${study.slug} at=${part} language=${this.language} stored=${this.stored} ?waiting=${problems.length > 0}></study-preview>
+        <study-preview slug=${study.slug} at=${part} language=${this.language} stored=${this.stored} ?waiting=${problems.length > 0} ?held=${!this.saving.isStored}></study-preview>
       </div>
       ${addDialog((kind, task) => this.add(kind, task))}
       ${publishDialog({ ...this.publishing, state: study.state, slug: study.slug, publish: () => void this.publish() })}
-      ${versionsDialog(study, editable && study.draft && study.versions.length ? () => void this.discard() : null)}
+      ${versionsDialog(study, this.isDraft, editable && study.versions.length ? () => void this.discard() : null)}
       <clip-picker .clips=${this.clips as Clip[]} ?several=${this.several} @pick=${(event: CustomEvent<string | string[]>) => this.picked([event.detail].flat())}></clip-picker>`;
   }
 
   private header(): TemplateResult {
     const { study, history } = this;
     const [newest] = study.versions;
-    const isNew = study.draft !== null || !this.saving.isStored || this.draft !== ((study.draft ?? study.definition) as Json);
-    const version = isNew ? `draft · version ${(newest?.number ?? 0) + 1}` : `version ${newest?.number}`;
+    const version = this.isDraft ? `draft · version ${(newest?.number ?? 0) + 1}` : `version ${newest?.number}`;
     const act = (word: string, name: string, can: boolean, back: boolean) => html`<button class="button quiet" type="button" ?disabled=${!can} @click=${() => this.undo(back)}>${icon(name)}<span class="word">${word}</span></button>`;
     return html`<header class="builder-top"><h1>${textOf(at(this.draft, ["title"])) || study.title}</h1>
       <span class="tiny saved" role="status">${this.editable ? { saved: "Saved", waiting: "Saving", failed: "Not saved" }[this.saving.state] : "You may look, not change"}</span>

@@ -163,7 +163,8 @@ function problemsOf({ where }: ApiError): Problem[] {
   return fields.map(({ field, problem }) => {
     const [name, rest] = problem.replace("Value error, ", "").split(/: (.*)/s);
     const rule = !field && rest ? { where: [name!], message: rest } : { where: field.split("."), message: problem };
-    return { ...rule, message: rule.message.replace(/^String should match pattern.*/, "Letters, digits, hyphens and underscores only; an address begins with https://"), mend: null };
+    const pattern = field.endsWith("credit_url") ? "Write an address that begins with https://" : "Use letters, digits, hyphens and underscores.";
+    return { ...rule, message: rule.message.replace(/^String should match pattern.*/, pattern), mend: null };
   });
 }
 
