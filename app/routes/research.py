@@ -1,8 +1,7 @@
-"""The researchers' pages: their studies, one study's results and figures.
+"""One study's results and figures.
 
 What the templates of `templates/research/` are given:
 
-- `studies.html`: studies, a list of {slug, title, complete, active, withdrawn}; section "studies";
 - `results.html`: results (StudyResults, documented in `app/schemas/results.py`); counts (its
   counts); charts, name to {"light": Vega-Lite specification, "dark": the same}: of each axis
   `shares-<axis>` and `means-<axis>`, of choices `chosen-<choice>`, none while fewer than
@@ -24,7 +23,7 @@ from app.dependencies import Reading, SignedIn, StudyViewer
 from app.pages import render
 from app.schemas.errors import ErrorResponse
 from app.schemas.results import SessionKind, StudyResults
-from app.services import charts, studies
+from app.services import charts, drafts, studies
 from app.services import results as results_service
 
 router = APIRouter(prefix="/research", include_in_schema=False)
@@ -35,16 +34,10 @@ Mode = Literal["light", "dark"]
 PartId = Annotated[str, Query(max_length=60)]
 
 
-@router.get("")
-def show_studies(request: Request, _: SignedIn, db: Reading) -> Response:
-    """Every study with its counts."""
-    return render(request, "research/studies.html", studies=studies.overview(db), section="studies")
-
-
 @router.get("/results")
-def show_first_results(_: SignedIn, db: Reading) -> Response:
-    """The results of the only study; with several, the list to choose from."""
-    found = studies.overview(db)
+def show_first_results(researcher: SignedIn, db: Reading) -> Response:
+    """The results of the researcher's only study; with several, the list to choose from."""
+    found = drafts.listed(db, researcher.id).studies
     address = f"/research/studies/{found[0].slug}" if len(found) == 1 else "/research"
     return RedirectResponse(address, 303)
 

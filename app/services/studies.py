@@ -42,18 +42,6 @@ class WelcomePage:
     opens_at: datetime | None = None
 
 
-@dataclass(frozen=True)
-class StudyLine:
-    """A study in the researchers' list."""
-
-    slug: str
-    title: str
-    state: str
-    complete: int
-    active: int
-    withdrawn: int
-
-
 def find(db: Session, slug: str, *, lock: bool = False) -> Study:
     """The study at this address.
 
@@ -166,22 +154,6 @@ def _shown(db: Session, clip: str | None) -> ExampleClip | None:
 def media_url(content_hash: str) -> str:
     """Where the bytes of this hash are served."""
     return f"/media/{content_hash}.glb"
-
-
-def overview(db: Session) -> list[StudyLine]:
-    """Every study with its counts."""
-    counts = store.state_counts(db)
-    return [
-        StudyLine(
-            slug=study.slug,
-            title=study.title,
-            state=study.state,
-            complete=counts.get((study.id, "complete"), 0),
-            active=counts.get((study.id, "active"), 0),
-            withdrawn=counts.get((study.id, "withdrawn"), 0),
-        )
-        for study in store.all_studies(db)
-    ]
 
 
 def ensure_demonstration(db: Session) -> Study | None:
