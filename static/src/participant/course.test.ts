@@ -104,6 +104,14 @@ describe("a person", () => {
     expect([course.index, course.trial]).toEqual([2, 2]);
   });
 
+  it("looking at a draft begins at the part that is being edited", () => {
+    const view = session();
+    const looking = { ...view, next: 3, study: { ...view.study, preview: true } };
+    const store = new Store("preview", null);
+    const outbox = new Outbox<GivenAnswer>({ store, send: () => Promise.resolve() });
+    expect(new Course(looking, store, outbox).index).toBe(3);
+  });
+
   it("can go back only where the study lets it", () => {
     const { course } = open();
     expect(course.before).toBeNull();

@@ -2,7 +2,7 @@
 // <manner-trial preview="…">: the same with a draft from that address; nothing is kept. Light DOM, so that the page's
 // own styles and its skip link reach inside.
 
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, LitElement, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { ApiError } from "../api";
 import type { Outbox } from "../outbox";
@@ -10,14 +10,13 @@ import type { Form } from "../trials/kind";
 import { focusNextOpen } from "../trials/steps";
 import { language, t } from "../words";
 import { brand } from "./brand";
-import { cellPlaces } from "./cells";
 import { NOTHING_YET, TrialClock } from "./clock";
 import { Course, type Draft, type GivenAnswer } from "./course";
-import { filesOf, shownOf, viewer, type Shown } from "./figures";
-import { Glances } from "./glances";
+import { FigureStage } from "./figure_stage";
+import { filesOf, shownOf } from "./figures";
 import { asked, kindOf, withFigures } from "./kinds";
 import { face, type Scene } from "./layouts";
-import { elapsedSince, measures, sum, UNWATCHED, watched, type Viewer } from "./measures";
+import { elapsedSince, measures, sum, UNWATCHED, watched } from "./measures";
 import { clipOnItsWay, otherTab, previewOver, sending, stuck, type Line } from "./notices";
 import { claimSession } from "./one_tab";
 import { Preloader } from "./preload";
@@ -31,7 +30,6 @@ const RETRY_MS = 2_000;
 type Phase =
   | { name: "opening" | "step" | "sending" | "other tab" | "preview over" }
   | { name: "stuck"; title: string; text: string; help?: string };
-type Cells = HTMLElement & { cells: readonly object[] };
 
 @customElement("manner-trial")
 export class TrialPage extends LitElement {
@@ -39,23 +37,20 @@ export class TrialPage extends LitElement {
   @property() preview = "";
   @state() private phase: Phase = { name: "opening" };
   @state() private form: Form = { answers: {}, touched: [], comment: "" };
-  @state() private shown: { cells: boolean; figures: readonly Shown[] } | null = null;
   /** The current step's files are there; the viewer does the rest. */
   @state() private fetched = false;
   /** Answers are taken. */
   @state() private ready = false;
   @state() private slow = false;
-  @state() private paused = false;
   @state() private pressed = false;
 
   #desk!: Desk;
   #course!: Course;
   #preloader!: Preloader;
-  #glances: Glances | null = null;
   #clock = new TrialClock();
   #draft: Draft = { form: this.form, attention: NOTHING_YET, viewing: UNWATCHED, figures: [], start: {} };
   #lastAnswer = -Infinity;
-  #resized = new ResizeObserver(() => this.#placeCells());
+  #stage = new FigureStage(this, { begin: () => this.#begin(), unsupported: () => this.#cannotDraw() });
 
   protected override createRenderRoot(): HTMLElement {
     this.replaceChildren();
@@ -78,10 +73,6 @@ export class TrialPage extends LitElement {
 
   get #outbox(): Outbox<GivenAnswer> {
     return this.#desk.outbox;
-  }
-
-  get #viewer(): (Viewer & Cells) | null {
-    return this.querySelector<Viewer & Cells>("motion-viewer");
   }
 
   get #line(): Line {
@@ -126,34 +117,7 @@ export class TrialPage extends LitElement {
     clearTimeout(patience);
     if (index !== this.#course.index || this.phase.name !== "step") return;
     this.fetched = true;
-    await this.#stage(shownOf(step, kept), kindOf(step).layout !== "stage");
-  }
-
-  /** Put figures on the stage; the step begins with their first picture, or at once where there are none. */
-  async #stage(figures: readonly Shown[], cells: boolean): Promise<void> {
-    // The same figures again: a fresh viewer counts from nothing, as for any others.
-    if (JSON.stringify({ cells, figures }) === JSON.stringify(this.shown)) {
-      this.shown = null;
-      await this.updateComplete;
-    }
-    this.shown = figures.length ? { cells, figures } : null;
-    await this.updateComplete;
-    this.#watchCells();
-    if (!this.shown) this.#begin();
-  }
-
-  #watchCells(): void {
-    this.#glances?.stop();
-    this.#resized.disconnect();
-    const grid = this.querySelector(".cells");
-    this.#glances = grid && new Glances([...grid.querySelectorAll(".cell")], this.#draft.figures);
-    if (grid) this.#resized.observe(grid);
-    this.#placeCells();
-  }
-
-  #placeCells(): void {
-    const grid = this.querySelector(".cells");
-    if (grid && this.#viewer) this.#viewer.cells = cellPlaces(grid);
+    await this.#stage.show(shownOf(step, kept), kindOf(step).layout !== "stage", this.#draft.figures);
   }
 
   /** The first picture is there: the time runs, and answers are taken. */
@@ -177,13 +141,6 @@ export class TrialPage extends LitElement {
     target?.focus({ preventScroll: true });
   }
 
-  #onFrame(): void {
-    const viewer = this.#viewer;
-    if (!viewer) return;
-    if (viewer.paused !== this.paused) this.paused = viewer.paused;
-    if (this.#glances?.watched(viewer.statistics.viewingMs)) this.requestUpdate();
-  }
-
   #change(form: Form): void {
     this.form = form;
     this.#keepDraft();
@@ -191,27 +148,24 @@ export class TrialPage extends LitElement {
 
   #keepDraft(): void {
     if (this.phase.name !== "step" || !this.#clock.running) return;
-    const { start } = this.#draft;
-    this.#course.keepDraft({ form: this.form, attention: this.#clock.read(), viewing: this.#viewing, figures: this.#figures, start });
+    const attention = this.#clock.read();
+    const { watched: figures } = this.#stage;
+    this.#course.keepDraft({ ...this.#draft, form: this.form, attention, viewing: this.#viewing, figures });
   }
 
   get #viewing() {
-    return sum(this.#draft.viewing, watched(this.#viewer));
-  }
-
-  get #figures(): readonly number[] {
-    return this.#glances?.ms ?? [];
+    return sum(this.#draft.viewing, watched(this.#stage.viewer));
   }
 
   #next(): void {
     const { step } = this.#course;
     if (!this.ready || !step) return;
     if (!kindOf(step).isComplete(asked(this.#course.session, step), this.form)) return this.#complain();
-    const viewer = this.#viewer;
-    const { start } = this.#draft;
     const elapsed = elapsedSince(this.#desk.store);
     const attention = this.#clock.read();
-    this.#course.answer(this.form, measures({ attention, elapsed, viewer, viewing: this.#viewing, figures: this.#figures, start }));
+    const { viewer, watched: figures } = this.#stage;
+    const { start } = this.#draft;
+    this.#course.answer(this.form, measures({ attention, elapsed, viewer, viewing: this.#viewing, figures, start }));
     this.#leave();
   }
 
@@ -262,7 +216,7 @@ export class TrialPage extends LitElement {
     this.#keepDraft();
     this.#outbox.stop();
     this.#clock.stop();
-    this.#viewer?.pause();
+    this.#stage.viewer?.pause();
     this.phase = { name: "other tab" };
   }
 
@@ -294,26 +248,24 @@ export class TrialPage extends LitElement {
   #scene(): Scene {
     const course = this.#course;
     const step = course.step!;
-    const { form, pressed, ready, fetched, paused } = this;
+    const { form, pressed, ready, fetched } = this;
+    const { paused, unseen } = this.#stage;
     return {
-      course, ready, fetched, paused,
+      course, ready, fetched, paused, unseen,
       kind: kindOf(step),
       view: { ...asked(course.session, step), form, pressed, change: (act) => this.#change(act(this.form)) },
       viewer: this.#figuresShown(kindOf(step).layout !== "stage"),
       line: this.#line,
-      isSeen: (place) => this.#glances?.isSeen(place) ?? true,
-      unseen: this.#glances?.unseen ?? 0,
+      isSeen: (place) => this.#stage.isSeen(place),
       back: () => this.#back(),
       next: () => this.#next(),
-      togglePause: () => (this.paused ? this.#viewer?.play() : this.#viewer?.pause()),
+      togglePause: () => this.#stage.togglePause(),
     };
   }
 
-  #figuresShown(cells: boolean): TemplateResult | typeof nothing {
-    const { shown, fetched } = this;
-    const on = { ready: () => this.#begin(), unsupported: () => this.#cannotDraw(), frame: () => this.#onFrame() };
+  #figuresShown(cells: boolean): TemplateResult {
     const waiting = () => clipOnItsWay(this.#preloader.share(this.#course.index), this.slow, () => location.reload());
-    return html`${shown?.cells === cells ? viewer(shown.figures, cells, !fetched, on) : nothing}${fetched ? nothing : waiting()}`;
+    return html`${this.#stage.draw(cells, !this.fetched)}${this.fetched ? "" : waiting()}`;
   }
 
   #cannotDraw(): void {

@@ -38,6 +38,7 @@ export const common = {
   "record.viewing_ms": "ms during which the figures were moving in view",
   "record.figure_ms": "of several figures, ms during which each was in view and moving",
   "record.camera_moves": "count of turns of the camera",
+  "record.camera": "how the view was turned: ms since the figures came, azimuth and elevation in degrees, zoom",
   "record.hidden_ms": "ms during which the page was hidden",
   "record.blur_count": "count of times that the window lost the focus",
   "record.dropped_frames": "count of display frames that came late",
