@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
+from uuid import UUID
 
 import numpy as np
 from sqlalchemy.orm import Session
@@ -167,6 +168,33 @@ class Course:
     counted: list[tuple[str, Counted]]
 
 
+@dataclass(frozen=True)
+class Begun:
+    """A session that has begun: its secret, and what it leads through."""
+
+    token: str
+    definition: StudyDefinition
+    steps: list[Step]
+    session_id: UUID
+    version_id: int
+
+    def counted(self, step: Step, given: dict[str, Any]) -> list[tuple[str, Counted]]:
+        """The answer to a step, if it is one that results are made of."""
+        if "clips" not in step or step["practice"] or "check" in step:
+            return []
+        return [(step["part"], Counted(self.session_id, self.version_id, figures(step), given))]
+
+
+def begin(db: Session, slug: str, rater: Rater) -> Begun:
+    """A session of a simulated participant; the commit is the writer's."""
+    consent = definition_of(newest(db, find(db, slug))).consent.version
+    seed = int(rater.generator.integers(2**sessions.SEED_BITS))
+    token = sessions.begin(db, slug, sessions.Beginning(consent, kind="simulated", seed=seed))
+    session = sessions.open_session(db, token)
+    definition, steps = definition_of(session.version), planned_steps(session.plan)
+    return Begun(token, definition, steps, session.id, session.version_id)
+
+
 def take_part(db: Session, slug: str, rater: Rater, stop_after: float = 1.0) -> Course:
     """A whole session through the services; the commit is the writer's.
 
@@ -176,28 +204,22 @@ def take_part(db: Session, slug: str, rater: Rater, stop_after: float = 1.0) -> 
         rater: who takes part.
         stop_after: the part of the steps after which the participant leaves; 1 completes.
     """
-    consent = definition_of(newest(db, find(db, slug))).consent.version
-    seed = int(rater.generator.integers(2**sessions.SEED_BITS))
-    token = sessions.begin(db, slug, sessions.Beginning(consent, kind="simulated", seed=seed))
-    session = sessions.open_session(db, token)
-    definition, steps = definition_of(session.version), planned_steps(session.plan)
+    begun = begin(db, slug, rater)
     elapsed = 0.0
     counted: list[tuple[str, Counted]] = []
-    for index, step in enumerate(steps[: int(stop_after * len(steps))]):
+    for index, step in enumerate(begun.steps[: int(stop_after * len(begun.steps))]):
         taken = float(rater.generator.lognormal(np.log(6000), 0.4))
         elapsed += taken
-        given = rater.answer(definition, step)
+        given = rater.answer(begun.definition, step)
         answer = _answer(index, given, taken, elapsed, rater.generator)
-        receipt, _ = answers.record(db, token, answer)
-        if "clips" in step and not step["practice"] and "check" not in step:
-            row = Counted(session.id, session.version_id, figures(step), given)
-            counted.append((step["part"], row))
+        receipt, _ = answers.record(db, begun.token, answer)
+        counted += begun.counted(step, given)
         if receipt.state != "active":
-            return Course(token, False, [])
+            return Course(begun.token, False, [])
     if stop_after < 1:
-        return Course(token, False, [])
-    sessions.complete(db, token)
-    return Course(token, True, counted)
+        return Course(begun.token, False, [])
+    sessions.complete(db, begun.token)
+    return Course(begun.token, True, counted)
 
 
 def figures(step: Step) -> list[str]:
