@@ -144,7 +144,7 @@ def sweep() -> None:
         deleted = retention.sweep(database, writer)
     finally:
         writer.close()
-    typer.echo(f"Deleted: {deleted} participants.")
+    typer.echo(f"Deleted: {deleted} participant{'' if deleted == 1 else 's'}.")
 
 
 @app.command()

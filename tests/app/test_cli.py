@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import json
 import re
+from datetime import timedelta
 from pathlib import Path
 
+import numpy as np
 import pytest
-from sqlalchemy import select
+from sqlalchemy import select, update
 from typer.testing import CliRunner, Result
 
 from app.cli import app, main
+from app.persistence import schema
 from app.persistence.engine import Database, make_engine
-from app.persistence.models import ClipRecord
-from app.services import command_line_imports, samples
+from app.persistence.models import ClipRecord, Response, now
+from app.services import command_line_imports, samples, sessions
 from app.settings import Settings
 from motion.procedural.library import acted
+from tests.support import simulate
 from tests.support.motions import faulty_bvh, walk_bvh, walks
 
 
@@ -167,3 +171,24 @@ def test_the_openapi_document_is_printed_without_touching_a_database(settings: S
     result = run("openapi")
     assert json.loads(result.stdout)["openapi"].startswith("3.")
     assert not settings.data_directory.exists()
+
+
+def test_the_sweep_deletes_what_its_study_keeps_no_longer(settings: Settings) -> None:
+    database = Database(make_engine(settings.database))
+    schema.upgrade(database.engine)
+    with database.writing() as db:
+        simulate.add_study(db)
+        token = simulate.take_part(simulate.directly(db), np.random.default_rng(1), answered=2)
+        db.commit()
+    assert "Deleted: 0 participants." in run("sweep").stdout
+    with database.writing() as db:
+        session = sessions.open_session(db, token)
+        session.study.running = {"retention_days": 1}
+        long_ago = now() - timedelta(days=3)
+        session.created_at = long_ago
+        db.execute(update(Response).values(received_at=long_ago))
+        db.commit()
+    assert "Deleted: 1 participant." in run("sweep").stdout
+    with database.reading() as db:
+        assert sessions.open_session(db, token).state == "withdrawn"
+    database.engine.dispose()
