@@ -55,7 +55,7 @@ def test_the_open_menu_fits_and_axe_finds_nothing(results: Page, size, scheme):
     results.emulate_media(color_scheme=scheme)
     results.get_by_text("Download", exact=True).click()
     links = results.get_by_label("Downloads").get_by_role("link")
-    expect(links).to_have_count(7)
+    expect(links).to_have_count(8)
     for link in links.all():
         box = link.bounding_box()
         assert box["height"] >= 44
