@@ -57,7 +57,8 @@ FORM: Document = {
         {"id": "age", "label": "How old are you?", "type": "number", "minimum": 18,
          "maximum": 120, "unit": "years"},
         {"id": "hand", "label": "With which hand do you write?", "type": "choice", "options": [
-            {"id": "left", "label": "Left"}, {"id": "right", "label": "Right"}]},
+            {"id": "left", "label": "Left"}, {"id": "right", "label": "Right"},
+            {"id": "none", "label": "With neither", "screens_out": True}]},
         {"id": "dances", "label": "What do you dance?", "type": "choices", "required": False,
          "options": [{"id": "tango", "label": "Tango"}, {"id": "waltz", "label": "Waltz"}]},
         {"id": "town", "label": "Where do you live?", "type": "text"},

@@ -212,7 +212,7 @@ def test_a_finger_on_a_phone_answers_every_kind(browser: Browser, study: Server)
     page.locator("#box-age").fill("17")
     expect(page.locator("#error-age")).to_have_text("Please write a number from 18 to 120.")
     page.locator("#box-age").fill("33")
-    page.get_by_text("Left").tap()
+    page.get_by_text("Left", exact=True).tap()
     page.locator("#box-town").fill("Turku")
     step.done()
     step.done()
@@ -343,6 +343,13 @@ def test_a_preview_keeps_nothing_and_begins_again_after_the_last_step(page: Page
     assert rows(study) == []
 
 
+def test_an_answer_that_ends_the_study_leads_to_its_last_page(page: Page, study: Server):
+    begin(page, study)
+    answer_form(page, hand="With neither")
+    page.wait_for_url("**/thanks", timeout=LONG)
+    assert [kind for kind, _, _ in rows(study)] == ["form"]
+
+
 def test_who_leaves_in_the_middle_of_a_long_list_finds_it_as_it_was(page: Page, study: Server):
     link = begin(page, study)
     answer_form(page)
@@ -362,8 +369,8 @@ def test_who_leaves_in_the_middle_of_a_long_list_finds_it_as_it_was(page: Page, 
     expect_the_figures_in_view_and_the_line_with_the_focus_too(page)
 
 
-def answer_form(page: Page) -> None:
+def answer_form(page: Page, hand: str = "Right") -> None:
     page.locator("#box-age").fill("33")
-    page.get_by_text("Right").click()
+    page.get_by_text(hand, exact=True).click()
     page.locator("#box-town").fill("Turku")
     page.locator(".next").click()
