@@ -6,6 +6,7 @@ import type { Json, Problem } from "./model";
 
 const AFTER = 700;
 const AGAIN_AFTER = 3000;
+const CHANGED_ELSEWHERE = 409;
 
 export class Saving {
   state: "saved" | "waiting" | "failed" = "saved";
@@ -31,7 +32,7 @@ export class Saving {
 
   keep(draft: Json): void {
     this.newest = draft;
-    if (this.state === "failed" && !this.failure?.transient) return;
+    if (this.failure?.status === CHANGED_ELSEWHERE) return; // the other draft is not written over
     this.state = "waiting";
     this.soon(draft);
     this.changed();
