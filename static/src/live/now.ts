@@ -12,6 +12,7 @@ export function exchange(place: ParentNode & Node, fresh: ParentNode): boolean {
   const then = pieces(fresh);
   const same = now.size === then.size && [...then.keys()].every((name) => now.has(name));
   if (!same) {
+    for (const piece of then.values()) stamp(piece);
     place.replaceChildren(...fresh.childNodes);
     return true;
   }
@@ -43,6 +44,9 @@ export class LiveNow {
   private charts: Charts;
   private readonly dark = darkMode();
   private asking = false;
+  /** What each place shows, and the drawing under way: one after the other, none twice. */
+  private readonly shown = new WeakMap<HTMLElement, string>();
+  private drawing = Promise.resolve();
 
   constructor(
     private readonly place: HTMLElement,
@@ -73,21 +77,28 @@ export class LiveNow {
   }
 
   private take(fresh: DocumentFragment): void {
-    const before = JSON.stringify(this.charts);
     this.charts = chartsIn(fresh);
-    const changed = exchange(this.place, fresh);
-    if (changed || JSON.stringify(this.charts) !== before) void this.drawAll();
+    exchange(this.place, fresh);
+    void this.drawAll();
   }
 
   private say(text: string): void {
     if (this.told && this.told.textContent !== text) this.told.textContent = text;
   }
 
-  private async drawAll(): Promise<void> {
+  private drawAll(): Promise<void> {
+    this.drawing = this.drawing.then(() => this.drawChanged());
+    return this.drawing;
+  }
+
+  private async drawChanged(): Promise<void> {
     const mode = this.dark.matches ? "dark" : "light";
     for (const place of this.place.querySelectorAll<HTMLElement>("[data-chart]")) {
       const chart = this.charts[place.dataset.chart ?? ""]?.[mode];
-      if (chart) await draw(place, chart);
+      const wanted = JSON.stringify(chart);
+      if (!chart || !place.isConnected || this.shown.get(place) === wanted) continue;
+      this.shown.set(place, wanted);
+      await draw(place, chart);
     }
   }
 }
