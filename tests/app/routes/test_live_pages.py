@@ -117,6 +117,11 @@ def test_who_is_deleted_is_gone_from_every_page(signed_in, taken):
     assert signed_in.get(f"{API}/sessions/{taken[0]}/export.json").status_code == 404
     counts = signed_in.get(f"{API}/live").json()["counts"]
     assert (counts["complete"], counts["withdrawn"]) == (1, 1)
+    for session in taken:
+        signed_in.delete(f"{API}/sessions/{session}")
+    page = signed_in.get(f"{PAGE}/live")
+    assert page.status_code == 200
+    assert "Nobody to show." in page.text
 
 
 def test_a_viewer_sees_everything_and_changes_nothing(
