@@ -80,6 +80,8 @@ def progress(session: Session, study: Study, kind: str = "participant") -> list[
             func.count(Response.trial_index.distinct()).label("answered"),
             func.max(Response.received_at).label("last_answer"),
         )
+        .join(StudySession, StudySession.id == Response.session_id)
+        .where(StudySession.study_id == study.id, StudySession.kind == kind)
         .group_by(Response.session_id)
         .subquery()
     )
