@@ -131,7 +131,8 @@ def test_texts_are_written_per_language_and_the_missing_ones_counted(
 ) -> None:
     page = research_page
     begin(page, server, "Languages")
-    add(page, "Last words")
+    add(page, "Own words")
+    choose_clips(page, "set B", 2)
     button(page, "The study").press("Enter")
     button(page, "Suomi").press("Enter")
     page.locator(".parts > ol .part").press("Enter")
@@ -159,9 +160,10 @@ def test_a_template_is_changed_and_the_new_version_says_so(
         dialog.get_by_role("button", name="Publish").click()
         expect(dialog.get_by_role("heading", name="is published")).to_be_visible()
         page.keyboard.press("Escape")
-        button(page, "The study").click()
-        page.get_by_label("Title").fill("Other walks")
-        saved(page)
+        if expected == "The first version":
+            button(page, "The study").click()
+            page.get_by_label("Title").fill("Other walks")
+            saved(page)
     button(page, "version 2").click()
     versions = page.locator("#versions-dialog li h3")
     expect(versions).to_have_text(["Version 2", "Version 1"])
