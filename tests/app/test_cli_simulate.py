@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ from sqlalchemy import func, select
 from typer.testing import CliRunner, Result
 
 from app.cli import app, main
+from app.errors import MannerError
 from app.persistence import schema
 from app.persistence.engine import Database, make_engine
 from app.persistence.models import StudySession
@@ -77,4 +79,15 @@ def test_a_wrong_file_stores_nothing_and_is_told(
     told = " ".join(capsys.readouterr().out.split())
     assert "effects.yaml, line 2: effects → sad_hapy" in told
     assert "Is “sad_happy” meant?" in told
+    assert stored(database) == 0
+
+
+def test_without_playwright_it_says_what_to_install_and_begins_nothing(
+    database: Database, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "playwright.sync_api", None)
+    done = run("--participants", 1, "--browsers", 1)
+    assert isinstance(done.exception, MannerError)
+    assert done.exception.code == "playwright_missing"
+    assert "manner[dev]" in (done.exception.mend or "")
     assert stored(database) == 0
