@@ -19,7 +19,7 @@ class Counts(Result):
 
     Attributes:
         under_way: not complete, with a sign of life (consent or answer) in the last half hour.
-        left_early: not complete, without one; left_at: the step each stopped at, counted from 1.
+        left_early: not complete, without one; left_after: how many steps each had answered.
         ended: screened out, or ended by failed attention checks.
         excluded: left out of the results by a researcher, whatever their state.
         answers: rows of the raw answers, practice and earlier revisions included.
@@ -29,7 +29,7 @@ class Counts(Result):
     complete: int
     under_way: int
     left_early: int
-    left_at: list[int]
+    left_after: list[int]
     ended: int
     excluded: int
     withdrawn: int

@@ -98,7 +98,7 @@ def count(db: Session, study: Study, moment: datetime, kind: SessionKind = "part
         complete=len(complete),
         under_way=len(active) - len(left),
         left_early=len(left),
-        left_at=sorted(one.answered + 1 for one in left),
+        left_after=sorted(one.answered for one in left),
         ended=sum(one.state in ("screened_out", "failed_attention") for one in counted),
         excluded=len(every) - len(counted),
         withdrawn=sum(one.state == "withdrawn" for one in every),

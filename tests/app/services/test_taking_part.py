@@ -170,14 +170,14 @@ def test_counts_follow_the_participants(db, definition):
     assert (counts.complete, counts.under_way, counts.left_early, counts.withdrawn) == (2, 3, 0, 1)
     assert counts.answers == 2 * 22 + 3 + 7 + 9
     later = results.count(db, study, moment + timedelta(minutes=31))
-    assert (later.under_way, later.left_early, later.left_at) == (0, 3, [4, 8, 10])
+    assert (later.under_way, later.left_early, later.left_after) == (0, 3, [3, 7, 9])
 
 
-def test_who_answered_all_but_never_finished_left_at_the_last_clip(db, definition):
+def test_who_answered_all_but_never_finished_left_after_the_last_step(db, definition):
     take_part(directly(db), np.random.default_rng(4), answered=22)
     study = studies.find(db, emotion.SLUG)
     later = results.count(db, study, now() + timedelta(minutes=31))
-    assert (later.complete, later.left_at) == (0, [22])
+    assert (later.complete, later.left_after) == (0, [22])
 
 
 def test_the_median_time_is_that_of_the_complete(db, definition):
