@@ -87,6 +87,7 @@ class StudyDetail(BaseModel):
         saved_at: when the draft was last saved.
         definition: the newest version.
         problems: of the draft; none of them keeps it from being saved.
+        can_be_shown: whether the preview can show it in spite of them.
     """
 
     slug: str
@@ -99,6 +100,7 @@ class StudyDetail(BaseModel):
     versions: list[VersionLine]
     running: Running
     problems: list[Problem]
+    can_be_shown: bool
 
 
 class UploadedFile(BaseModel):
@@ -132,10 +134,11 @@ class NewStudy(BaseModel):
 
 
 class SavedDraft(BaseModel):
-    """A draft that was saved, and what stands in the way of publishing it."""
+    """A draft that was saved, what stands in the way of publishing it, and of its preview."""
 
     saved_at: datetime
     problems: list[Problem]
+    can_be_shown: bool
 
 
 class Changes(BaseModel):

@@ -73,6 +73,7 @@ def view(db: Session, access: Access) -> StudyDetail:
     """A study with its draft, its versions and how it is run."""
     study = studies.find(db, access.slug)
     newest, draft = store.newest_version(db, study), study.draft
+    found, can_be_shown = ([], True) if draft is None else _examined(db, study, draft)
     return StudyDetail.model_validate(
         {
             "slug": study.slug,
@@ -84,7 +85,8 @@ def view(db: Session, access: Access) -> StudyDetail:
             "definition": newest and newest.definition,
             "versions": _version_lines(db, study),
             "running": Running.model_validate(study.running),
-            "problems": problems(db, study, draft) if draft is not None else [],
+            "problems": found,
+            "can_be_shown": can_be_shown,
         }
     )
 
@@ -135,7 +137,8 @@ def save(
             study.title = title_of(draft) or study.title
     study.draft_saved_at = now()
     db.commit()
-    return SavedDraft(saved_at=study.draft_saved_at, problems=problems(db, study, draft))
+    found, can_be_shown = _examined(db, study, draft)
+    return SavedDraft(saved_at=study.draft_saved_at, problems=found, can_be_shown=can_be_shown)
 
 
 def discard(db: Session, access: Access) -> None:
@@ -175,7 +178,13 @@ def delete(db: Session, access: Access) -> None:
 
 def problems(db: Session, study: Study, draft: dict[str, Any]) -> list[Problem]:
     """All that stands in the way of publishing a draft."""
+    return _examined(db, study, draft)[0]
+
+
+def _examined(db: Session, study: Study, draft: dict[str, Any]) -> tuple[list[Problem], bool]:
+    """A draft's problems, and whether it can be shown in spite of them."""
     definition, _, found = study_files.examine(draft)
+    can_be_shown = definition is not None and _can_be_shown(found)
     if draft.get("slug") != study.slug and "slug" in draft:
         found.append(
             Problem(
@@ -184,10 +193,16 @@ def problems(db: Session, study: Study, draft: dict[str, Any]) -> list[Problem]:
                 mend="Write it so, or duplicate the study to have another address.",
             )
         )
-    if definition is not None:
-        found += _consent_problems(store.newest_version(db, study), definition)
-        found += study_stimuli.problems(db, definition)
-    return found
+    if definition is None:
+        return found, False
+    found += _consent_problems(store.newest_version(db, study), definition)
+    clips = study_stimuli.problems(db, definition)
+    return [*found, *clips], can_be_shown and not clips
+
+
+def _can_be_shown(problems: list[Problem]) -> bool:
+    """Whether the preview works nevertheless: a study without clips has its pages to show."""
+    return all(problem.where == ["parts"] for problem in problems)
 
 
 def file(db: Session, access: Access, number: int | None, file_format: str) -> tuple[str, str]:
@@ -223,7 +238,7 @@ def preview(
     study = studies.find(db, access.slug)
     draft = content(db, study)
     definition, _, found = study_files.examine(draft)
-    if definition is None:
+    if definition is None or not _can_be_shown(found):
         raise InvalidError(
             "The preview waits until nothing is missing.",
             code="study_incomplete",

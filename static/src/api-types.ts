@@ -1741,7 +1741,7 @@ export interface components {
          *
          *     Attributes:
          *         under_way: not complete, with a sign of life (consent or answer) in the last half hour.
-         *         left_early: not complete, without one; left_at: the step each stopped at, counted from 1.
+         *         left_early: not complete, without one; left_after: how many steps each had answered.
          *         ended: screened out, or ended by failed attention checks.
          *         excluded: left out of the results by a researcher, whatever their state.
          *         answers: rows of the raw answers, practice and earlier revisions included.
@@ -1754,8 +1754,8 @@ export interface components {
             under_way: number;
             /** Left Early */
             left_early: number;
-            /** Left At */
-            left_at: number[];
+            /** Left After */
+            left_after: number[];
             /** Ended */
             ended: number;
             /** Excluded */
@@ -3342,7 +3342,7 @@ export interface components {
         };
         /**
          * SavedDraft
-         * @description A draft that was saved, and what stands in the way of publishing it.
+         * @description A draft that was saved, what stands in the way of publishing it, and of its preview.
          */
         SavedDraft: {
             /**
@@ -3352,6 +3352,8 @@ export interface components {
             saved_at: string;
             /** Problems */
             problems: components["schemas"]["Problem"][];
+            /** Can Be Shown */
+            can_be_shown: boolean;
         };
         /**
          * SessionDetail
@@ -3595,6 +3597,7 @@ export interface components {
          *         saved_at: when the draft was last saved.
          *         definition: the newest version.
          *         problems: of the draft; none of them keeps it from being saved.
+         *         can_be_shown: whether the preview can show it in spite of them.
          */
         StudyDetail: {
             /** Slug */
@@ -3626,6 +3629,8 @@ export interface components {
             running: components["schemas"]["Running"];
             /** Problems */
             problems: components["schemas"]["Problem"][];
+            /** Can Be Shown */
+            can_be_shown: boolean;
         };
         /**
          * StudyLine

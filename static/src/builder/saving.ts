@@ -2,7 +2,9 @@
 import { api, ApiError } from "../api";
 import type { components } from "../api-types";
 import { debounced, Latest } from "../studio/latest";
-import type { Json, Problem } from "./model";
+import type { Json } from "./model";
+
+export type Saved = components["schemas"]["SavedDraft"];
 
 const AFTER = 700;
 const AGAIN_AFTER = 3000;
@@ -19,13 +21,13 @@ export class Saving {
 
   /**
    * @param seen `saved_at` of the draft that is being edited.
-   * @param changed hears of every new state; of a draft that was stored with its problems.
+   * @param changed hears of every new state; of a draft that was stored, what is wrong with it.
    */
   constructor(
     private readonly slug: string,
     draft: Json,
     private seen: string | null,
-    private readonly changed: (problems?: Problem[]) => void,
+    private readonly changed: (saved?: Saved) => void,
   ) {
     this.newest = this.stored = draft;
   }
@@ -54,12 +56,12 @@ export class Saving {
     if (draft === this.stored) return this.settle();
     try {
       const address = `/api/v1/studies/${this.slug}/draft`;
-      const saved = await api.put<components["schemas"]["SavedDraft"]>(address, draft, { query: { seen: this.seen } });
+      const saved = await api.put<Saved>(address, draft, { query: { seen: this.seen } });
       this.seen = saved.saved_at;
       this.stored = draft;
       this.failure = null;
       this.state = draft === this.newest ? "saved" : "waiting";
-      this.changed(saved.problems);
+      this.changed(saved);
     } catch (error) {
       if (!(error instanceof ApiError)) throw error;
       this.failure = error;

@@ -30,6 +30,7 @@ export class StudyBuilder extends LitElement {
   @state() private selected: Selected = "about";
   @state() private language: Language = "en";
   @state() private view: View = "form";
+  @state() private canBeShown = false;
   @state() private stored = 0;
   @state() private allClips = false;
   @state() private several = false;
@@ -65,11 +66,13 @@ export class StudyBuilder extends LitElement {
   private open(study: Study): void {
     this.study = study;
     this.problems = study.problems;
+    this.canBeShown = study.can_be_shown;
     const draft = (study.draft ?? study.definition ?? {}) as Json;
     this.history = new History<Json>(draft);
-    this.saving = new Saving(study.slug, draft, study.saved_at, (problems) => {
-      if (problems) {
-        this.problems = problems;
+    this.saving = new Saving(study.slug, draft, study.saved_at, (saved) => {
+      if (saved) {
+        this.problems = saved.problems;
+        this.canBeShown = saved.can_be_shown;
         this.stored += 1;
       }
       this.requestUpdate();
@@ -230,7 +233,7 @@ export class StudyBuilder extends LitElement {
       <div class=${`builder show-${this.view}`}>
         ${partsList({ study: this.draft, problems, selected, editable, select: (what) => this.select(what), order: (next) => this.order(next), add: () => this.dialog("add-dialog").showModal(), goTo: this.goTo })}
         <section class="part-form" aria-label="Form">${this.failure()}${this.partForm()}</section>
-        <study-preview slug=${study.slug} at=${part} language=${this.language} stored=${this.stored} ?waiting=${problems.length > 0} ?held=${!this.saving.isStored}></study-preview>
+        <study-preview slug=${study.slug} at=${part} language=${this.language} stored=${this.stored} ?waiting=${!this.canBeShown} ?held=${!this.saving.isStored}></study-preview>
       </div>
       ${addDialog((kind, task) => this.add(kind, task))}
       ${publishDialog({ ...this.publishing, state: study.state, slug: study.slug, publish: () => void this.publish() })}

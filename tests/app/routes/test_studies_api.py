@@ -346,6 +346,25 @@ def test_the_preview_shows_every_step_and_stores_nothing(
     assert counts == {"complete": 0, "active": 0, "withdrawn": 0}
 
 
+def test_the_preview_shows_pages_before_there_is_a_clip_and_waits_for_what_is_broken(
+    signed_in: Researching, library: list[str]
+) -> None:
+    pause = {"kind": "break", "id": "rest", "heading": "Rest", "text": "Go on."}
+    study = made(signed_in, likert(library, parts=[pause]))
+    assert (len(study["problems"]), study["can_be_shown"]) == (1, True)
+    assert signed_in.get(f"{STUDIES}/gaits/preview").json()["steps"][0]["kind"] == "break"
+    broken = likert([*library, "nobody_walks"])
+    saved = signed_in.put(f"{STUDIES}/gaits/draft", json=broken).json()
+    assert saved["can_be_shown"] is False
+    assert signed_in.get(f"{STUDIES}/gaits/preview").status_code == 422
+    odd = likert(library)
+    odd["parts"][0]["task"] = {"kind": "choose", "question": "Which?"}
+    odd["parts"][0]["sets"] = [["nobody", "anybody"]]
+    saved = signed_in.put(f"{STUDIES}/gaits/draft", json=odd).json()
+    assert (bool(saved["problems"]), saved["can_be_shown"]) == (True, False)
+    assert signed_in.get(f"{STUDIES}/gaits/preview").status_code == 422
+
+
 def test_every_change_leaves_a_line_in_the_audit_trail(
     signed_in: Researching, library: list[str]
 ) -> None:
