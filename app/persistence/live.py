@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from datetime import datetime
 from typing import Any, NamedTuple
 
-from sqlalchemy import ColumnElement, Select, and_, case, delete, func, insert, or_, select
+from sqlalchemy import ColumnElement, Select, and_, case, delete, func, insert, or_, select, update
 from sqlalchemy.orm import Session
 
 from app.persistence.models import Response, SessionSummary, StudySession, StudyVersion
@@ -312,10 +312,26 @@ def put_summaries(db: Session, rows: Sequence[dict[str, Any]]) -> None:
             .with_for_update()
         )
     )
-    kept = [row for row in rows if row["session_id"] in alive]
+    last = _last_answer(db)
+    kept = [{**row, "upto": min(row["upto"], last)} for row in rows if row["session_id"] in alive]
     db.execute(delete(_M).where(_M.session_id.in_([row["session_id"] for row in kept])))
     if kept:
         db.execute(insert(_M), kept)
+
+
+def forget(db: Session, session_id: uuid.UUID) -> None:
+    """Delete a session's summary, after its answers.
+
+    SQLite gives the numbers of the last rows anew once they are deleted, so that no other summary
+    may claim to reach further than the answers do.
+    """
+    db.execute(delete(_M).where(_M.session_id == session_id))
+    last = _last_answer(db)
+    db.execute(update(_M).where(_M.upto > last).values(upto=last))
+
+
+def _last_answer(db: Session) -> int:
+    return db.scalar(select(func.max(Response.id))) or 0
 
 
 def _of(scope: Scope) -> tuple[ColumnElement[bool], ...]:

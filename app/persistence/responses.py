@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 from sqlalchemy import ColumnElement, Row, and_, bindparam, delete, func, insert, null, select
 from sqlalchemy.orm import Session, aliased, defer
 
+from app.persistence import live
 from app.persistence.models import (
     ClipRecord,
     Response,
-    SessionSummary,
     Study,
     StudySession,
     StudyVersion,
@@ -126,8 +126,8 @@ def answered(session: Session, session_id: uuid.UUID) -> set[int]:
 
 def delete_all(session: Session, session_id: uuid.UUID) -> None:
     """Delete what a participant answered, by the participant's right."""
-    for what in (Response, SessionSummary):
-        session.execute(delete(what).where(what.session_id == session_id))
+    session.execute(delete(Response).where(Response.session_id == session_id))
+    live.forget(session, session_id)
 
 
 def count(session: Session, study: Study, kind: str = "participant") -> int:

@@ -141,6 +141,20 @@ def test_windows_smaller_than_a_session_lose_no_answer(db, access):
     assert {one.answered for one in db.query(SessionSummary)} == {22}
 
 
+def test_answers_that_get_the_numbers_of_deleted_ones_are_not_overlooked(db, access):
+    write = simulate.directly(db)
+    token = simulate.begin(write)
+    values = dict.fromkeys([scale["id"] for scale in emotion.SCALES], 1)
+    write(lambda d: simulate.answers.record(d, token, answer_with(values, 0)))
+    gone = take_part(db, 2, answered=5)
+    summarise(db)
+    sessions.erase(db, gone)
+    write(lambda d: simulate.answers.record(d, token, answer_with(values, 1)))
+    summarise(db)
+    db.expire_all()
+    assert db.get(SessionSummary, session_of(db, token).id).answered == 2
+
+
 def test_a_straight_liner_is_suspicious_and_leaves_the_results_and_comes_back(db, access):
     write = simulate.directly(db)
     for seed in range(5):
