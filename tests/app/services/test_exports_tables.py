@@ -16,7 +16,7 @@ from tests.support.simulate import add_study, answer_with, begin, directly, simu
 
 NEUTRAL = dict.fromkeys((scale["id"] for scale in emotion.SCALES), 0)
 # What this study has none of: groups, checks, several figures, exclusions.
-EMPTY = ("excluded_reason", "group", "check", "passed", "figure")
+EMPTY = ("excluded_reason", "group", "check", "passed", "figure", "figures_ms")
 HOSTILE = ("=1+1", "-2+3", "\tx", "@A1", "two\nlines", 'say "yes", she said', "歩く\u202eabc", "-2")
 
 
