@@ -150,9 +150,7 @@ class Counted(NamedTuple):
     answers: dict[str, Any]
 
 
-def analysed(
-    session: Session, study: Study, part: str, kind: str = "participant"
-) -> list[Counted]:
+def analysed(session: Session, study: Study, part: str, kind: str = "participant") -> list[Counted]:
     """Every answer to a part that counts: complete, not excluded, no practice or check, newest."""
     rows = session.execute(
         select(Response.session_id, StudySession.version_id, Response.clips, Response.answers)
