@@ -448,7 +448,7 @@ class SessionSummary(Base):
     last_at: Mapped[datetime]
     seconds: Mapped[int]
     judged: Mapped[int]
-    median_ms: Mapped[int | None]
+    median_ms: Mapped[int | None] = mapped_column(BigInteger)  # a page may stay open for weeks
     same_run: Mapped[int]
     rated: Mapped[int]
     flat: Mapped[int]

@@ -135,7 +135,7 @@ def _create_summaries():
         sa.Column("upto", sa.BigInteger(), nullable=False),
         *(sa.Column(name, sa.Integer(), nullable=False) for name in (*names, "failed")),
         sa.Column("last_at", TIME, nullable=False),
-        sa.Column("median_ms", sa.Integer(), nullable=True),
+        sa.Column("median_ms", sa.BigInteger(), nullable=True),
         sa.Column("hidden_ms", sa.BigInteger(), nullable=False),
         sa.Column("seen", sa.Text(), nullable=False),
         sa.ForeignKeyConstraint(

@@ -33,6 +33,7 @@ from app.services.rights import Access
 from app.studies import emotion
 from tests.support import simulate
 from tests.support.simulate import answer_with
+from tests.support.taking_part import NEUTRAL
 
 
 @pytest.fixture
@@ -98,6 +99,14 @@ def test_everybody_is_counted_where_they_stand(db, access):
     assert view.latest.total == 5
     assert view.dropout.of == 4
     assert [step.still for step in view.dropout.steps][:4] == [4, 4, 4, 3]
+
+
+def test_a_page_left_open_for_months_is_counted_like_any_other(db, access):
+    token = simulate.begin(simulate.directly(db))
+    for index in range(3):  # the third is the first that is no practice
+        simulate.answers.record(db, token, answer_with(NEUTRAL, index, rt_ms=1e10))
+    assert seen(db, access).counts.answers == 3
+    assert db.get(SessionSummary, session_of(db, token).id).median_ms == 10**10
 
 
 def test_every_clip_has_as_many_answers_as_participants_and_practice_is_none(db, access):
