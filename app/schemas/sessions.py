@@ -12,6 +12,8 @@ StepKind = Literal[
 ]  # fmt: skip
 Milliseconds = Annotated[float, Field(ge=0, le=1e10, allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=0, le=10**9)]
+Position = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
+Identifier = Annotated[str, Field(max_length=64, pattern=r"^[a-z0-9_]*$")]
 
 
 def storable(text: object) -> object:
@@ -132,7 +134,7 @@ class ViewingRecord(Message):
     viewport: Viewport | None = None
     figure_ms: Annotated[list[Milliseconds], Field(max_length=1000)] | None = None
     camera: Annotated[list[Sight], Field(max_length=200)] | None = None
-    start: Annotated[dict[str, float], Field(max_length=200)] | None = None
+    start: Annotated[dict[Identifier, Position], Field(max_length=200)] | None = None
 
 
 ShortText = Annotated[str, Field(max_length=5000), BeforeValidator(storable)]

@@ -140,6 +140,21 @@ def test_numbers_that_are_none_are_refused(client, token):
     assert answer.status_code == 422
 
 
+@pytest.mark.parametrize(
+    "start", ['"a": NaN', '"a": Infinity', '"a": 101', '"\\u0000": 1', f'"{"x" * 100_000}": 1']
+)
+def test_where_a_slider_stood_is_a_place_on_it_under_a_name(client, token, start, database):
+    body = answer_with(NEUTRAL).model_dump_json().replace('"start":null', f'"start":{{{start}}}')
+    assert start in body
+    answer = client.post(
+        f"/api/v1/sessions/{token}/responses",
+        content=body,
+        headers={"Content-Type": "application/json"},
+    )
+    assert answer.status_code == 422
+    assert rows(database) == 0
+
+
 def test_half_a_character_in_a_comment_does_not_cost_the_answer(client, token, database):
     body = answer_with(NEUTRAL, comment="HERE").model_dump_json().replace("HERE", "\\ud83d \\u0000")
     answer = client.post(
