@@ -5,12 +5,14 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
 
 from app.schemas.live import Role
+from app.schemas.sessions import storable
 from app.schemas.study import Running
 
 State = Literal["draft", "open", "paused", "closed"]
+Label = Annotated[str, Field(min_length=1, max_length=64), BeforeValidator(storable)]
 
 
 class StudyCounts(BaseModel):
@@ -121,7 +123,7 @@ class NewStudy(BaseModel):
 
     model_config = ConfigDict(extra="forbid", json_schema_extra={"example": {"title": "Gaits"}})
 
-    template: str | None = None
+    template: Annotated[str, Field(max_length=100)] | None = None
     definition: dict[str, Any] | None = None
     file: UploadedFile | None = None
     title: str | None = Field(default=None, min_length=1, max_length=200)
@@ -188,9 +190,7 @@ class InvitationRequest(BaseModel):
 
     model_config = ConfigDict(extra="forbid", json_schema_extra={"example": {"count": 20}})
 
-    labels: list[Annotated[str, Field(min_length=1, max_length=64)]] = Field(
-        default=[], max_length=1000
-    )
+    labels: list[Label] = Field(default=[], max_length=1000)
     count: int = Field(default=1, ge=1, le=1000)
 
 

@@ -87,24 +87,30 @@ def read_text(text: str, name: str = "") -> StudyText:
 def unstorable(value: object, path: Path = ()) -> Iterator[tuple[Path, str]]:
     """What no database could store: path, and what is wrong there.
 
-    Control characters, among them NUL, halves of characters, numbers without an end.
+    Control characters, among them NUL, halves of characters, numbers without an end, and what is
+    nested deeper than anything that reads it could follow.
     """
-    if isinstance(value, str):
-        found = _UNSTORABLE.search(value)
-        if found:
-            yield path, f"The text holds U+{ord(found[0]):04X}, which is no printable character."
-    elif isinstance(value, float) and not math.isfinite(value):
-        yield path, "Only finite numbers can be stored."
-    elif isinstance(value, int) and abs(value) >= 2**63:
-        yield path, "The number is too large."
-    elif isinstance(value, dict):
-        for key, one in value.items():
-            if _UNSTORABLE.search(str(key)):
+    if isinstance(value, dict | list | tuple):
+        if len(path) > DEEPEST:
+            yield path[:DEEPEST], f"This is more than {DEEPEST} levels deep."
+            return
+        members = value.items() if isinstance(value, dict) else enumerate(value)
+        for key, one in members:
+            if isinstance(key, str) and _UNSTORABLE.search(key):
                 yield path, "A member's name holds a character that is not printable."
             yield from unstorable(one, (*path, key))
-    elif isinstance(value, list | tuple):
-        for index, one in enumerate(value):
-            yield from unstorable(one, (*path, index))
+    elif message := _not_storable(value):
+        yield path, message
+
+
+def _not_storable(value: object) -> str | None:
+    if isinstance(value, str) and (found := _UNSTORABLE.search(value)):
+        return f"The text holds U+{ord(found[0]):04X}, which is no printable character."
+    if isinstance(value, float) and not math.isfinite(value):
+        return "Only finite numbers can be stored."
+    if isinstance(value, int) and abs(value) >= 2**63:
+        return "The number is too large."
+    return None
 
 
 class _Builder:

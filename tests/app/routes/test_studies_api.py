@@ -142,6 +142,28 @@ def test_text_that_no_database_holds_is_refused_with_its_place(
         assert answer.json()["error"]["where"] == {"path": ["title"]}
 
 
+@pytest.mark.parametrize("levels", [31, 500, 900, 100_000])
+def test_a_draft_deeper_than_anything_can_follow_is_refused(
+    signed_in: Researching, library: list[str], levels: int
+) -> None:
+    made(signed_in, likert(library))
+    answer = signed_in.client.put(
+        f"{STUDIES}/gaits/draft",
+        content=f'{{"parts":{"[" * levels}{"]" * levels}}}',
+        headers={**signed_in.headers, "Content-Type": "application/json"},
+    )
+    assert answer.status_code in (400, 422)
+    assert "parts" in signed_in.get(f"{STUDIES}/gaits").json()["draft"]
+
+
+@pytest.mark.parametrize("body", ['{"template": "\\ud800"}', '{"title": "\\ud800"}'])
+def test_half_a_character_makes_no_study_and_no_fault_of_ours(
+    signed_in: Researching, body: str
+) -> None:
+    headers = {**signed_in.headers, "Content-Type": "application/json"}
+    assert signed_in.client.post(STUDIES, content=body, headers=headers).status_code == 422
+
+
 def test_publishing_freezes_the_clips_and_opens_the_study(
     signed_in: Researching, library: list[str]
 ) -> None:
@@ -325,6 +347,9 @@ def test_the_same_name_gives_the_same_personal_link(
     named = [signed_in.post(address, json={"labels": ["a", "b", "a"]}).json() for _ in range(2)]
     assert named[0] == named[1]
     assert [one["label"] for one in named[0]["invitations"]] == ["a", "b"]
+    told = signed_in.post(address, json={"labels": ["a\x00b"]}).json()
+    assert [one["label"] for one in told["invitations"]] == ["ab"]
+    assert signed_in.post(address, json={"labels": ["\x00"]}).status_code == 422
     fresh = signed_in.post(address, json={"count": 30}).json()["invitations"]
     assert len({one["url"] for one in fresh}) == 30
     path = fresh[0]["url"].partition("://")[2].partition("/")[2]
