@@ -58,7 +58,8 @@ def arrival(given: Mapping[str, str], running: Running, slug: str, secret: str) 
     Raises:
         InvalidError: an invitation that is not from this study.
     """
-    known = {name: given[name][:LONGEST] for name in PARAMETERS if given.get(name)}
+    cleaned = {name: given.get(name, "").replace("\0", "")[:LONGEST] for name in PARAMETERS}
+    known = {name: text for name, text in cleaned.items() if text}
     if "invite" in known:
         label = _invited(given["invite"], slug, secret)
         return Arrival("personal", label, {"invitation": label})

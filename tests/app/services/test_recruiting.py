@@ -31,6 +31,8 @@ def test_each_service_is_known_by_its_parameters_and_only_where_the_study_uses_i
     mturk = coming({"workerId": "w", "assignmentId": "a", "hitId": "h"})
     assert (mturk.source, mturk.identity, mturk.previewing) == ("mturk", "w", False)
     assert coming({"assignmentId": "ASSIGNMENT_ID_NOT_AVAILABLE", "hitId": "h"}).previewing
+    assert coming({"id": "7\x007"}) == coming({"id": "77"})  # no file or database holds NUL
+    assert coming({"id": "\x00"}).source == "open"
     for given in (prolific, {"id": "77"}, {"assignmentId": "a", "workerId": "w"}, {}):
         assert coming(given, Running()).source == "open"
 
