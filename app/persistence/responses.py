@@ -186,15 +186,13 @@ def stream(
 
 
 def recruited(session: Session, study: Study) -> list[StudySession]:
-    """The participants that a recruiting service sent, in the order in which they came."""
+    """The participants that a recruiting service sent, in no order."""
     found = session.scalars(
-        select(StudySession)
-        .where(
+        select(StudySession).where(
             StudySession.study_id == study.id,
             StudySession.kind == "participant",
             StudySession.external.is_not(null()),
         )
-        .order_by(StudySession.created_at, StudySession.id)
     )
     return list(found)
 

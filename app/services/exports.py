@@ -101,12 +101,13 @@ def responses_jsonl(found: Exported) -> Iterator[bytes]:
 def recruiting_csv(found: Exported) -> Iterator[str]:
     """Whom a recruiting service sent and what became of them, to pay them; without pseudonyms.
 
-    So the file cannot be joined with the answers; who withdrew is not in it.
+    They are in the order of their ids and not, like the answers, in that of their coming: so no
+    row can be joined with answers. Who withdrew is not in it.
     """
     with found.database.reading() as session:
         people = responses.recruited(session, found.study)
     heads = ["id", "submission", "source", "outcome", "code", "minutes"]
-    return csv_pieces(heads, (_recruited(one) for one in people))
+    return csv_pieces(heads, sorted(map(_recruited, people), key=lambda row: str(row[0])))
 
 
 def _recruited(person: StudySession) -> list[object]:

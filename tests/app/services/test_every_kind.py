@@ -5,6 +5,7 @@ import io
 import json
 import zipfile
 from collections import Counter
+from datetime import timedelta
 
 import numpy as np
 import pytest
@@ -343,8 +344,9 @@ def test_whom_to_pay_is_told_without_pseudonyms(db):
     one, two, three = db.scalars(select(StudySession))
     for session in (one, two, three):
         session.kind = "participant"
-    one.source, one.external = "prolific", {"PROLIFIC_PID": "=abc", "SESSION_ID": "s1"}
-    two.source, two.external = "mturk", {"workerId": "W", "assignmentId": "A"}
+    one.source, one.external = "mturk", {"workerId": "W", "assignmentId": "A"}
+    two.source, two.external = "prolific", {"PROLIFIC_PID": "=abc", "SESSION_ID": "s1"}
+    two.created_at = one.created_at + timedelta(seconds=1)  # whoever came first stands second
     db.commit()
     found = exports.exported(Database(db.connection()), study.slug)
     text = "".join(exports.recruiting_csv(found))
