@@ -157,7 +157,11 @@ def screens_out(part: AnyPart | None, answers: Answers) -> bool:
 
 
 def held(
-    check: Instructed | Repeated | Catch, answers: Answers, earlier: Answers | None
+    check: Instructed | Repeated | Catch,
+    answers: Answers,
+    earlier: Answers | None,
+    *,
+    chosen: bool = False,
 ) -> bool | None:
     """Whether an attention check held.
 
@@ -165,6 +169,7 @@ def held(
         check: of the part.
         answers: to the check's trial.
         earlier: the answer to the trial that a repeated one repeats; None where there is none.
+        chosen: the answer is a figure, which is chosen again or is not: places are no steps.
 
     Returns:
         None where there is nothing to compare with.
@@ -178,7 +183,7 @@ def held(
                 for name, (low, high) in check.answers.items()
             )
         case Repeated():
-            return _alike(answers, earlier or {}, check.within)
+            return _alike(answers, earlier or {}, 0 if chosen else check.within)
 
 
 def _alike(answers: Answers, earlier: Answers, within: float) -> bool | None:

@@ -16,6 +16,7 @@ from app.persistence.responses import Asked, Stored
 from app.schemas.sessions import Answer, AnswerReceipt, SessionState
 from app.schemas.study import AnyPart, Outcome, Trials
 from app.services.answer_checks import faults_of, held, screens_out
+from app.services.measures import CHOICES
 from app.services.plans import PAUSE, Step, planned_steps
 from app.services.sessions import hash_token, refuse_withdrawn, unknown_link
 from app.services.studies import definition_by_hash, running_of
@@ -80,7 +81,7 @@ def _passed(
         return None
     check = next(one for one in part.checks if one.id == step["check"])
     earlier = responses.newest_of(db, asked.session_id, step["of"]) if "of" in step else None
-    return held(check, answer.answers, earlier)
+    return held(check, answer.answers, earlier, chosen=part.task.kind in CHOICES)
 
 
 def _state_after(

@@ -29,6 +29,7 @@ from app.schemas.study import (
     Unipolar,
     Words,
 )
+from app.services.plans import PAUSE
 from app.services.study_text import Path, short
 
 CLIPS = "{clips}"  # in the thanks it becomes the number of clips that were judged
@@ -98,6 +99,9 @@ def _parts(definition: StudyDefinition) -> Found:
     checks: dict[str, Path] = {}
     for index, part in enumerate(definition.parts):
         place: Path = ("parts", index)
+        if part.id == PAUSE.id:
+            told = f"“{PAUSE.id}” is what the server calls the pauses between trials."
+            yield (*place, "id"), told, "Give the part another id."
         if isinstance(part, Form):
             yield from _form(part, place)
         if isinstance(part, Trials):

@@ -454,4 +454,11 @@ BROKEN = {
         "“steps” has 2",
         "at least 3",
     ),
+    "a part under the name of the server's own pauses": Broken(
+        "    id: about\n",
+        "    id: pause\n",
+        "id: pause",
+        "“pause” is what the server calls",
+        "another id",
+    ),
 }

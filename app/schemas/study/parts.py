@@ -73,7 +73,8 @@ class Repeated(Part):
 
     Attributes:
         count: how many clips come again, drawn at random.
-        within: the check holds if the mean difference per scale, in steps, is at most this.
+        within: the check holds if the mean difference per scale, in steps (of a slider: points of
+            its 100), is at most this; a choice must be the same.
     """
 
     kind: Literal["repeated"] = "repeated"

@@ -126,6 +126,9 @@ def test_checks_hold_when_the_answer_is_the_one_told_close_enough_or_in_range() 
     assert held(again, {"x": 2, "y": 0}, {"x": 1, "y": 0}) is True
     assert held(again, {"x": 2, "y": 0}, {"x": 0, "y": 0}) is False
     assert held(again, {"x": 2}, None) is None
+    lax = Repeated(id="b", within=2)
+    assert held(lax, {"choice": 1}, {"choice": 1}, chosen=True) is True
+    assert held(lax, {"choice": 1}, {"choice": 0}, chosen=True) is False
     easy = Catch.model_validate(
         {"id": "c", "stimulus": {"clip": "lying"}, "answers": {"x": [-2, -1]}}
     )
