@@ -68,7 +68,7 @@ def serve(
     database.engine.dispose()
     typer.echo(f"Manner listens on http://{host}:{port}", err=True)
     uvicorn.run(
-        "app.main:create_app",
+        "app.main:app_to_serve",
         factory=True,
         host=host,
         port=port,

@@ -256,8 +256,21 @@ class Answered(NamedTuple):
     hidden_ms: float | None
 
 
-def waiting(db: Session, window: int) -> tuple[int, list[uuid.UUID]]:
-    """The sessions of the next answers that are in no summary, and the number they reach up to."""
+class Waiting(NamedTuple):
+    """Sessions with answers that are in no summary.
+
+    Attributes:
+        end: number of the last answer that was looked at.
+        more: whether others may wait behind it.
+    """
+
+    end: int
+    sessions: list[uuid.UUID]
+    more: bool
+
+
+def waiting(db: Session, window: int) -> Waiting:
+    """The sessions of the next answers that are in no summary."""
     known = db.scalar(select(func.max(_M.upto))) or 0
     end = db.scalar(
         select(func.max(Response.id)).where(
@@ -274,7 +287,7 @@ def waiting(db: Session, window: int) -> tuple[int, list[uuid.UUID]]:
         .where(Response.id > known - LATE, Response.id <= end)
         .where(or_(_M.upto.is_(None), Response.id > _M.upto))
     )
-    return end, list(rows)
+    return Waiting(end, list(rows), more=end - known >= window)
 
 
 def to_summarise(db: Session, ids: Sequence[uuid.UUID]) -> list[Asked]:

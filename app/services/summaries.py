@@ -25,13 +25,17 @@ DIGITS = 4  # hexadecimal, of a clip's place
 
 
 def catch_up(database: Database, writer: Writer, window: int = WINDOW) -> bool:
-    """Summarise the sessions of the next answers; whether there are more to come."""
+    """Summarise the sessions of the next answers; whether more wait behind them.
+
+    Answers that come in meanwhile are left for the next time: on a busy server there would be no
+    end to it.
+    """
     with database.reading() as db:
-        end, ids = live.waiting(db, window)
-        rows = [_summary(db, asked, end) for asked in live.to_summarise(db, ids)]
+        found = live.waiting(db, window)
+        rows = [_summary(db, asked, found.end) for asked in live.to_summarise(db, found.sessions)]
     if rows:
         writer.write(lambda db: live.put_summaries(db, rows))
-    return bool(rows)
+    return found.more
 
 
 def places(definition: StudyDefinition) -> dict[str, int]:
