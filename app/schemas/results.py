@@ -18,7 +18,7 @@ class Counts(Result):
     """How far the participants are.
 
     Attributes:
-        under_way: not complete, with a sign of life (consent or answer) in the last half hour.
+        under_way: not complete, with a sign of life (consent or answer) within the study's lease.
         left_early: not complete, without one; left_after: how many steps each had answered.
         ended: screened out, or ended by failed attention checks.
         excluded: left out of the results by a researcher, whatever their state.

@@ -20,11 +20,10 @@ from app.schemas.study import SemanticDifferential, Stimulus
 from app.services import result_axes, result_choices, result_poles
 from app.services.measures import CHOICES
 from app.services.result_axes import NEEDED
-from app.services.studies import find
+from app.services.studies import find, running_of
 from app.services.versions import Pooled, Version, parts_of, pooled, published
 from app.statistics.poles import Against
 
-STILL_THERE = timedelta(minutes=30)
 
 
 def results(
@@ -83,11 +82,12 @@ def counts(db: Session, slug: str, kind: SessionKind = "participant") -> Counts:
 
 
 def count(db: Session, study: Study, moment: datetime, kind: SessionKind = "participant") -> Counts:
-    """How far the participants were at the given moment, which the half hour is counted from."""
+    """How far the participants were at the given moment, which the lease is counted back from."""
     every = sessions.progress(db, study, kind)
     counted = [one for one in every if not one.excluded]
     active = [one for one in counted if one.state == "active"]
-    left = [one for one in active if moment - _last_sign(one) > STILL_THERE]
+    lease = timedelta(minutes=running_of(study).lease_minutes)
+    left = [one for one in active if moment - _last_sign(one) > lease]
     complete = [one for one in counted if one.state == "complete"]
     times = [
         (one.completed_at - one.consented_at).total_seconds()

@@ -169,14 +169,14 @@ def test_counts_follow_the_participants(db, definition):
     counts = results.count(db, study, moment)
     assert (counts.complete, counts.under_way, counts.left_early, counts.withdrawn) == (2, 3, 0, 1)
     assert counts.answers == 2 * 22 + 3 + 7 + 9
-    later = results.count(db, study, moment + timedelta(minutes=31))
+    later = results.count(db, study, moment + timedelta(minutes=61))
     assert (later.under_way, later.left_early, later.left_after) == (0, 3, [3, 7, 9])
 
 
 def test_who_answered_all_but_never_finished_left_after_the_last_step(db, definition):
     take_part(directly(db), np.random.default_rng(4), answered=22)
     study = studies.find(db, emotion.SLUG)
-    later = results.count(db, study, now() + timedelta(minutes=31))
+    later = results.count(db, study, now() + timedelta(minutes=61))
     assert (later.complete, later.left_after) == (0, [22])
 
 
