@@ -92,6 +92,22 @@ describe("an answer", () => {
     expect(new Outbox({ store, send: async () => {} }).pending).toEqual([answer(0)]);
   });
 
+  it("that was refused and then mended no longer waits, and another one still does", async () => {
+    const { outbox } = setUp(async ({ trial_index, value }) => {
+      if (value === 99) throw new ApiError("invalid", `Not 99 at ${trial_index}.`, null, null, 422);
+    });
+    outbox.put(answer(0, 1, 99));
+    outbox.put(answer(1, 1, 99));
+    await outbox.flush();
+    outbox.put(answer(0, 2, 9));
+    await outbox.flush();
+    expect(outbox.pending).toEqual([answer(1, 1, 99)]);
+    expect(outbox.refusal?.message).toBe("Not 99 at 1.");
+    outbox.put(answer(1, 2, 9));
+    await outbox.flush();
+    expect([outbox.waiting, outbox.refusal]).toEqual([0, null]);
+  });
+
   it("that another device gave first is taken from the server", async () => {
     const server = new Server();
     server.take(answer(0, 1, 2));

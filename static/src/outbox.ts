@@ -111,6 +111,13 @@ export class Outbox<A extends Answer = Answer> extends EventTarget {
   #settle(key: string): void {
     this.#failures = 0;
     this.#options.store.remove(key);
+    // What was refused and then mended is as good as taken: the newest answer to a step counts.
+    for (const refused of this.#refused) {
+      if (stepOf(refused) !== stepOf(key) || refused > key) continue;
+      this.#refused.delete(refused);
+      this.#options.store.remove(refused);
+    }
+    if (!this.#refused.size) this.refusal = null;
     this.#changed();
   }
 
@@ -138,3 +145,5 @@ export class Outbox<A extends Answer = Answer> extends EventTarget {
 function keyOf({ trial_index, revision }: Answer): string {
   return `${FOLDER}${String(trial_index).padStart(6, "0")}.${String(revision).padStart(4, "0")}`;
 }
+
+const stepOf = (key: string): string => key.slice(0, key.lastIndexOf("."));

@@ -22,6 +22,13 @@ it("a page without figures says nothing about watching", () => {
   expect(found.hidden_ms).toBe(100);
 });
 
+it("a device whose clock was years off at first hands in a time that the server takes", () => {
+  const years = 56 * 365 * 86_400_000;
+  const found = measures({ attention, elapsed: years, viewer: null, viewing: UNWATCHED, figures: [], start: {} });
+  expect(found.time_elapsed_ms).toBe(1e10);
+  expect(found.rt_ms).toBe(2000);
+});
+
 it("of several figures it says each one's time, of one alone it does not", () => {
   expect(record({ figures: [10.04, 20] }).figure_ms).toEqual([10, 20]);
   expect(record({ figures: [10] })).not.toHaveProperty("figure_ms");

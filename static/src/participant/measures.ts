@@ -12,6 +12,9 @@ export interface Viewing {
   dropped_frames: number;
 }
 
+/** The server takes no longer time, about four months. */
+const LONGEST_MS = 1e10;
+
 export const UNWATCHED: Viewing = { plays: 0, viewing_ms: 0, camera_moves: 0, dropped_frames: 0 };
 
 /** What this page needs of <motion-viewer>. */
@@ -81,7 +84,7 @@ export function measures({ attention, elapsed, viewer, viewing, figures, start }
   };
 }
 
-/** Browsers resolve 0.1 ms or less; more digits would only look exact. */
+/** Browsers resolve 0.1 ms or less; more digits would only look exact. A clock that was years off costs no answer. */
 function tenth(milliseconds: number): number {
-  return Math.round(milliseconds * 10) / 10;
+  return Math.min(LONGEST_MS, Math.round(milliseconds * 10) / 10);
 }

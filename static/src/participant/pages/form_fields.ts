@@ -19,6 +19,9 @@ export interface Field {
   options: readonly Option[];
 }
 
+/** The server takes no number beyond this, nor below its negative. */
+const LARGEST = 1e12;
+
 /** A number as people type it, with a comma or a point; text that is none stays text. */
 export function typed(field: Field, text: string, form: Form): Form {
   const trimmed = text.trim();
@@ -43,10 +46,11 @@ export function faultOf(field: Field, form: Form): string | null {
   if (value === undefined) return field.required ? missing(field) : null;
   if (field.type !== "number") return null;
   if (typeof value !== "number") return t("Please write a number.");
-  const { minimum: low, maximum: high } = field;
-  if ((low ?? value) <= value && value <= (high ?? value)) return null;
-  if (low == null) return t("Please write a number up to {high}.", { high: high ?? value });
-  if (high == null) return t("Please write a number from {low} on.", { low });
+  const { minimum, maximum } = field;
+  const [low, high] = [minimum ?? -LARGEST, maximum ?? LARGEST];
+  if (low <= value && value <= high) return null;
+  if (minimum == null && maximum != null) return t("Please write a number up to {high}.", { high });
+  if (maximum == null && value < low) return t("Please write a number from {low} on.", { low });
   return t("Please write a number from {low} to {high}.", { low, high });
 }
 

@@ -78,6 +78,10 @@ describe("a field for a number", () => {
     expect([17, 18, 99].map(at)).toEqual(["Please write a number from 18 to 99.", null, null]);
     expect(faultOf(field({ type: "number", maximum: 9 }), set(empty(), "f", 10))).toBe("Please write a number up to 9.");
     expect(faultOf(field({ type: "number", minimum: 9 }), set(empty(), "f", 8))).toBe("Please write a number from 9 on.");
+    // Without a limit of the study, the server's.
+    expect(faultOf(field({ type: "number" }), set(empty(), "f", 1e12))).toBeNull();
+    expect(faultOf(field({ type: "number" }), set(empty(), "f", 1e13))).toMatch(/^Please write a number from .*1.*000 to/);
+    expect(faultOf(field({ type: "number", minimum: 9 }), set(empty(), "f", 1e13))).toMatch(/^Please write a number from 9 to/);
   });
 });
 
