@@ -139,14 +139,19 @@ class Rater:
 
     def _field(self, field: FormField) -> Any:  # noqa: ANN401 -- as its type is
         if field.type == "number":
-            low = 18 if field.minimum is None else field.minimum
-            high = low + 60 if field.maximum is None else field.maximum
-            return int(self.generator.integers(int(np.ceil(low)), int(high) + 1))
+            return self._within(field.minimum, field.maximum)
         if field.type in ("choice", "choices"):
             staying = [one.id for one in field.options if not one.screens_out]
             chosen = str(self.generator.choice(staying or [field.options[0].id]))
             return [chosen] if field.type == "choices" else chosen
         return TEXT if field.required else None
+
+    def _within(self, minimum: float | None, maximum: float | None) -> float:
+        """A whole number if one lies between the limits; an age where there are none."""
+        low = min(18.0, np.inf if maximum is None else maximum) if minimum is None else minimum
+        high = low + 60 if maximum is None else maximum
+        first, last = int(np.ceil(low)), int(np.floor(high))
+        return low if first > last else int(self.generator.integers(first, last + 1))
 
 
 def _asked(part: Trials, check: str) -> dict[str, Any] | None:

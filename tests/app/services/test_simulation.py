@@ -9,7 +9,9 @@ from sqlalchemy import select
 from app.errors import InvalidError
 from app.persistence.models import Response, StudySession
 from app.schemas.effects import Effects
+from app.schemas.study import Form
 from app.services import rehearsal, simulation, studies
+from app.services.answer_checks import faults_of
 from app.services.effects import read_effects, tastes
 from app.services.rehearsal import Effect
 from app.statistics.power import power
@@ -48,6 +50,21 @@ def test_checks_are_answered_as_an_attentive_person_does(db):
     run(db, kinds.SLUG, Effects(noise=0, rater_sd=0), 3)
     checks = db.execute(select(Response.check, Response.passed).where(Response.check.is_not(None)))
     assert Counter(map(tuple, checks)) == {("read", True): 3, ("again", True): 3}
+
+
+@pytest.mark.parametrize(
+    "limits",
+    [(None, None), (None, 10), (None, -3.5), (90, None), (0.2, 0.8), (-2.5, -0.5), (18, 18)],
+)
+def test_a_number_is_given_within_its_limits_whatever_they_are(db, limits):
+    kinds.add_every_kind(db)
+    fields = [{"id": "n", "label": "Number", "type": "number", "minimum": limits[0],
+               "maximum": limits[1]}]  # fmt: skip
+    form = Form.model_validate({"id": "you", "heading": "You", "fields": fields})
+    study = definition_of(db, kinds.SLUG).model_copy(update={"parts": (form,)})
+    rater = simulation.Rater({}, 1, 1, np.random.default_rng(1))
+    for _ in range(20):
+        assert faults_of(form, rater.answer(study, {"part": "you"}), 0) == []
 
 
 def test_those_who_drop_out_leave_on_the_way_and_count_for_nothing(db):
