@@ -17,6 +17,7 @@ from app.persistence import studies as store
 from app.persistence.models import Researcher, Study
 from app.schemas.live import Member, MemberList, Role
 from app.services import audit
+from app.services.studies import no_such_study
 
 Act = Literal["view", "edit", "own"]
 NEEDED: dict[Act, tuple[Role, ...]] = {
@@ -155,15 +156,6 @@ def remove_member(db: Session, access: Access, email: str) -> None:
     members.remove(db, access.study_id, person.id)
     audit.note(db, access.study_id, "member_removed", access.researcher_id, email=person.email)
     db.commit()
-
-
-def no_such_study(slug: str) -> NotFoundError:
-    """What to raise for an address without a study."""
-    return NotFoundError(
-        f"There is no study “{slug[:100]}” on this server.",
-        code="study_not_found",
-        mend="Check the link that you were given.",
-    )
 
 
 def _person(db: Session, email: str) -> Researcher:

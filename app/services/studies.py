@@ -50,7 +50,7 @@ def find(db: Session, slug: str, *, lock: bool = False) -> Study:
     """
     study = store.by_slug(db, slug, lock=lock)
     if study is None:
-        raise _unknown(slug)
+        raise no_such_study(slug)
     return study
 
 
@@ -121,7 +121,7 @@ def welcome(
     study = find(db, slug)
     version = store.newest_version(db, study)
     if version is None:
-        raise _unknown(slug)
+        raise no_such_study(slug)
     definition, running = definition_of(version), running_of(study)
     language = language_for(definition, *languages)
     return WelcomePage(
@@ -200,7 +200,8 @@ def _example(db: Session) -> str | None:
     return walks[0].id if walks else None
 
 
-def _unknown(slug: str) -> NotFoundError:
+def no_such_study(slug: str) -> NotFoundError:
+    """What to raise for an address without a study, or without one that is the caller's."""
     return NotFoundError(
         f"There is no study “{slug[:100]}” on this server.",
         code="study_not_found",
