@@ -1,4 +1,7 @@
-"""The audit trail: rows are added and read, never changed."""
+"""The audit trail: rows are added and read.
+
+Nothing in them is changed, but for what researchers wrote about a person whose data are deleted.
+"""
 
 from __future__ import annotations
 
@@ -63,3 +66,11 @@ def listed(
     if session_id is not None:
         query = query.where(AuditEntry.session_id == session_id)
     return [AuditRow(*row) for row in db.execute(query)]
+
+
+def forget_reasons(db: Session, session_id: uuid.UUID) -> None:
+    """Empty what researchers wrote about a participant; that they did something stays."""
+    for entry in db.scalars(select(AuditEntry).where(AuditEntry.session_id == session_id)):
+        if entry.detail.get("reason"):
+            entry.detail = {**entry.detail, "reason": "…"}
+    db.flush()

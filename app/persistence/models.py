@@ -295,6 +295,7 @@ class AuditEntry(Base):
     Attributes:
         researcher_id: None for what the server or a participant did.
         session_id: the participant that it was about; no foreign key, for it outlives a deletion.
+        detail: what the act's sentence needs; a reason goes with the participant's data.
     """
 
     __tablename__ = "audit"
@@ -302,7 +303,7 @@ class AuditEntry(Base):
     id: Mapped[int] = mapped_column(primary_key=True)
     study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), index=True)
     researcher_id: Mapped[int | None] = mapped_column(ForeignKey("researchers.id"))
-    session_id: Mapped[uuid.UUID | None]
+    session_id: Mapped[uuid.UUID | None] = mapped_column(index=True)
     act: Mapped[str] = mapped_column(String(40))
     detail: Mapped[dict[str, Any]] = mapped_column(default=dict)
     at: Mapped[datetime] = mapped_column(default=now)

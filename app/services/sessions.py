@@ -14,7 +14,7 @@ from typing import cast, get_args
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError, NotFoundError
-from app.persistence import responses
+from app.persistence import audit, responses
 from app.persistence import sessions as store
 from app.persistence.models import StudySession, now
 from app.schemas.sessions import Completion
@@ -172,6 +172,7 @@ def withdraw(db: Session, token: str) -> None:
 def erase(db: Session, session: StudySession) -> None:
     """The same for a session at hand."""
     responses.delete_all(db, session.id)
+    audit.forget_reasons(db, session.id)
     session.state = "withdrawn"
     session.withdrawn_at = session.created_at = session.withdrawn_at or now()
     session.seed = session.plan = session.completion_code = None

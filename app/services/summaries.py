@@ -87,5 +87,5 @@ def _trial(row: live.Answered) -> Judged:
 
 def _clips(row: live.Answered) -> list[str]:
     if row.clips is not None:
-        return row.clips
+        return list(dict.fromkeys(row.clips))  # X of A/B/X is one of the two
     return [] if row.clip_id is None else [row.clip_id]

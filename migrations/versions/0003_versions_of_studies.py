@@ -125,6 +125,7 @@ def _create_members_and_audit():
         sa.PrimaryKeyConstraint("id", name=op.f("pk_audit")),
     )
     op.create_index(op.f("ix_audit_study_id"), "audit", ["study_id"])
+    op.create_index(op.f("ix_audit_session_id"), "audit", ["session_id"])
 
 
 def _create_summaries():

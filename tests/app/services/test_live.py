@@ -16,8 +16,10 @@ from app.persistence import responses
 from app.persistence.engine import Database
 from app.persistence.models import Researcher, SessionSummary, Study, StudySession, now
 from app.persistence.writer import Writer
+from app.schemas.effects import Effects
 from app.services import (
     audit,
+    effects,
     live,
     participants,
     person_export,
@@ -25,13 +27,14 @@ from app.services import (
     retention,
     rights,
     sessions,
+    simulation,
     studies,
     summaries,
 )
 from app.services.results import results
 from app.services.rights import Access
 from app.studies import emotion
-from tests.support import simulate
+from tests.support import kinds, simulate
 from tests.support.simulate import answer_with
 from tests.support.taking_part import NEUTRAL
 
@@ -116,6 +119,18 @@ def test_every_clip_has_as_many_answers_as_participants_and_practice_is_none(db,
     clips = seen(db, access).clips
     assert len(clips) == 20
     assert {(clip.complete, clip.others) for clip in clips} == {(3, 0)}
+
+
+def test_x_counts_as_the_one_clip_that_it_is(db):
+    study = kinds.add_every_kind(db)
+    tastes = effects.tastes(studies.definition_of(studies.newest(db, study)), Effects())
+    generator = np.random.default_rng(1)
+    raters = simulation.raters(tastes, Effects(), 2, generator)
+    assert list(simulation.run(simulate.directly(db), kinds.SLUG, raters, 0, generator))
+    summarise(db)
+    view = live.overview(db, Access(study.id, study.slug, 0, "viewer"), "simulated")
+    # Of four clips each stands in three pairs of A/B and of A/B/X, and once in each other part.
+    assert [clip.complete for clip in view.clips] == [2 * (8 + 3 + 3)] * 4
 
 
 def test_a_summary_equals_its_session_however_the_answers_came_in(db, access):
@@ -221,6 +236,20 @@ def test_who_is_deleted_leaves_a_tombstone_and_an_entry_and_nothing_else(db, acc
         replay.replay(db, access, session.id)
     with pytest.raises(ConflictError):
         participants.exclude(db, access, session.id, "too late")
+
+
+def test_what_was_written_about_a_person_goes_when_they_withdraw(db, access):
+    write = simulate.directly(db)
+    token = simulate.take_part(write, np.random.default_rng(1))
+    session, other = session_of(db, token), take_part(db, 2)
+    participants.flag(db, access, session.id, "is Olga's sister")
+    participants.exclude(db, access, session.id, "is Olga's sister")
+    participants.flag(db, access, other.id, "wrote to us")
+    sessions.withdraw(db, token)
+    trail = audit.trail(db, access.study_id).entries
+    assert [one.act for one in trail] == ["session_flagged", "session_excluded", "session_flagged"]
+    assert "sister" not in " ".join(one.sentence for one in trail)
+    assert trail[0].sentence.endswith("wrote to us")
 
 
 def test_a_participant_of_another_study_is_not_found(db, access):
