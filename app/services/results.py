@@ -25,7 +25,6 @@ from app.services.versions import Pooled, Version, parts_of, pooled, published
 from app.statistics.poles import Against
 
 
-
 def results(
     db: Session,
     slug: str,
