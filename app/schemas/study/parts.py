@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 from app.schemas.study.tasks import OF_ONE, OF_TWO, Task
 from app.schemas.study.words import Name, Part, Short, Text, Words
 
+MOST_TRIALS = 10_000  # of one part; a plan lists them all
 ClipRef = Annotated[str, Field(min_length=1, max_length=200)]
 
 
@@ -127,7 +128,13 @@ class Trials(Shown):
     order: Literal["shuffle", "latin_square", "fixed"] = "shuffle"
     block_by: Literal["body", "style"] | None = None
     subset: Annotated[int, Field(ge=1)] | None = None
-    sets: tuple[Annotated[tuple[str, ...], Field(min_length=2)], ...] | None = None
+    sets: (
+        Annotated[
+            tuple[Annotated[tuple[str, ...], Field(min_length=2)], ...],
+            Field(max_length=MOST_TRIALS),
+        ]
+        | None
+    ) = None
     checks: tuple[Check, ...] = ()
     break_every: Annotated[int, Field(ge=1)] | None = None
 
@@ -142,6 +149,9 @@ class Trials(Shown):
             raise ValueError(f"stimuli: {self.task.kind} compares; give at least two")
         if self.sets is not None and self.task.kind in OF_ONE:
             raise ValueError(f"sets: {self.task.kind} shows one figure at a time")
+        pairs = number * (number - 1) // 2
+        if self.sets is None and self.task.kind in OF_TWO and pairs > MOST_TRIALS:
+            raise ValueError(f"stimuli: they make {pairs:,} pairs; list in sets which to show")
         if self.sets is not None and self.task.kind in OF_TWO:
             wrong = [one for one in self.sets if len(one) != 2]
             if wrong:

@@ -125,6 +125,16 @@ def test_a_study_file_that_makes_no_sense_is_refused_with_the_reason(
         StudyDefinition.model_validate(document)
 
 
+def test_more_pairs_than_a_plan_can_list_are_refused_and_a_choice_of_them_is_not(document) -> None:
+    part = document["parts"][0]
+    part["stimuli"] = [{"clip": f"clip {number}"} for number in range(142)]
+    part["task"] = {"kind": "ab", "question": "Which?"}
+    with pytest.raises(ValidationError, match="10,011 pairs; list in sets"):
+        StudyDefinition.model_validate(document)
+    part["sets"] = [["clip 0", "clip 1"]]
+    assert StudyDefinition.model_validate(document).trials[0].sets == (("clip 0", "clip 1"),)
+
+
 def test_a_part_that_is_there_twice_is_refused(document) -> None:
     document["parts"] *= 2
     with pytest.raises(ValidationError, match="“emotions” is there twice"):
