@@ -55,7 +55,9 @@ class Exported(NamedTuple):
         """Every stored answer, one participant's together; one row a figure where each is rated."""
         with self.database.reading() as session:
             for answer, participant, superseded in responses.stream(session, self.study, self.kind):
-                version = self.versions[participant.version_id]
+                version = self.versions.get(participant.version_id)
+                if version is None:  # published since then: the table has no columns for it
+                    continue
                 yield from rows_of(Row(self.study, version, participant, answer, not superseded))
 
     def by_participant(self) -> Iterator[list[Row]]:

@@ -338,6 +338,17 @@ def test_each_answer_is_read_by_its_own_version(db):
     assert "Answers to version 1, which asked otherwise" in page.rule
 
 
+def test_a_version_published_during_a_download_breaks_it_off_for_nobody(db):
+    study = kinds.add_every_kind(db)
+    answer(db, 2, 7)
+    found = exports.exported(Database(db.connection()), study.slug, "simulated")
+    kinds.publish(db, study, kinds.definition(kinds.clips(db)) | {"title": "Another"})
+    answer(db, 1, 8)
+    rows = list(csv.DictReader(io.StringIO("".join(exports.responses_csv(found)))))
+    assert {row["version"] for row in rows} == {"1"}
+    assert len({row["session"] for row in rows}) == 2
+
+
 def test_whom_to_pay_is_told_without_pseudonyms(db):
     study = kinds.add_every_kind(db)
     answer(db, 3, 7)
