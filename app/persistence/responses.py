@@ -185,12 +185,12 @@ def stream(
     )
 
 
-def recruited(session: Session, study: Study) -> list[StudySession]:
+def recruited(session: Session, study: Study, kind: str = "participant") -> list[StudySession]:
     """The participants that a recruiting service sent, in no order."""
     found = session.scalars(
         select(StudySession).where(
             StudySession.study_id == study.id,
-            StudySession.kind == "participant",
+            StudySession.kind == kind,
             StudySession.external.is_not(null()),
         )
     )

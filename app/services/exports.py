@@ -107,7 +107,7 @@ def recruiting_csv(found: Exported) -> Iterator[str]:
     row can be joined with answers. Who withdrew is not in it.
     """
     with found.database.reading() as session:
-        people = responses.recruited(session, found.study)
+        people = responses.recruited(session, found.study, found.kind)
     heads = ["id", "submission", "source", "outcome", "code", "minutes"]
     return csv_pieces(heads, sorted(map(_recruited, people), key=lambda row: str(row[0])))
 

@@ -367,5 +367,7 @@ def test_whom_to_pay_is_told_without_pseudonyms(db):
     ]  # fmt: skip
     assert all(r["code"] and float(r["minutes"]) >= 0 for r in rows)
     assert not any(str(session.id) in text for session in (one, two, three))
+    simulated = exports.exported(Database(db.connection()), study.slug, "simulated")
+    assert "".join(exports.recruiting_csv(simulated)).count("\n") == 1  # nobody sent them
     for pieces in (exports.responses_csv, exports.wide_csv):
         assert "abc" not in "".join(pieces(found))
