@@ -21,7 +21,7 @@ const KINDS: Record<string, { title: string; fields: readonly Field[]; blank: Ob
     title: "A clip comes again", range: null,
     fields: [
       { type: "number", at: "count", label: "How many clips come again", min: 1, max: 20 },
-      { type: "number", at: "within", label: "Largest mean difference", min: 0, max: 100, step: "any", unit: "steps", hint: "In steps of the scale. More counts as not attentive." },
+      { type: "number", at: "within", label: "Largest mean difference", min: 0, max: 100, step: "any", unit: "steps", hint: "In steps of the scale, or points of a slider. More counts as not attentive; a choice must be the same." },
     ],
     blank: { kind: "repeated", count: 1, within: 1 },
   },
