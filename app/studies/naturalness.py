@@ -237,8 +237,8 @@ TEMPLATES = (
     Template(
         "most-natural",
         "The most natural of ten",
-        "Ten levels of one parameter of a recipe in step on one page; one is chosen. It begins "
-        "with longer and shorter motion paths.",
+        "One change in ten strengths, all ten in step on one page; one is chosen. Here the motion "
+        "paths are longer and shorter.",
         3,
         _NOTES,
         _choose,

@@ -31,6 +31,7 @@ export interface Publishing {
   done: boolean;
   state: Study["state"];
   slug: string;
+  mend: TemplateResult | null;
   publish(): void;
 }
 
@@ -38,7 +39,7 @@ export function publishDialog(given: Publishing): TemplateResult {
   const { changes, done } = given;
   const title = done ? `Version ${changes?.number} is published` : changes?.same ? "Nothing to publish" : changes ? `Publish version ${changes.number}` : "Publish";
   return html`<dialog class="builder-dialog" id="publish-dialog" aria-labelledby="publish-title">${head(title, "publish-title")}
-    ${given.refused ? refusal(given.refused) : nothing}
+    ${given.refused ? (given.mend ?? refusal(given.refused)) : nothing}
     ${changes ? body(given, changes) : given.refused ? nothing : html`<p class="quiet" role="status">Looking at what is new.</p>`}
     <footer>${done || changes?.same || given.refused
       ? html`${done ? html`<a class="button" href=${`/research/studies/${given.slug}/settings`}>Links and settings</a>` : nothing}<button class="button primary" type="button" @click=${(event: Event) => (event.target as Element).closest("dialog")?.close()}>Close</button>`

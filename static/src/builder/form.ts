@@ -139,8 +139,10 @@ function listField(field: Of<"list">, path: Path, value: Json | undefined, editi
   const row = (_: Json, index: number) => html`<div class=${field.inline ? "row-fields inline" : "row-fields"}>${form(field.rows, [...path, index], editing)}</div>`;
   return html`<fieldset class="field" id=${idOf(path)} tabindex="-1"><legend class="label">${field.label}</legend>
     ${sortable(entries, { word: field.one, row, change: (next) => editing.set(path, next.length || !field.optional ? next : undefined) })}
-    <button class="button quiet add" type="button" @click=${add}>${icon("plus")}Add a ${field.one}</button>${notes(field, path, editing)}</fieldset>`;
+    <button class="button quiet add" type="button" @click=${add}>${icon("plus")}Add ${withArticle(field.one)}</button>${notes(field, path, editing)}</fieldset>`;
 }
+
+const withArticle = (word: string): string => `${/^[aeiou]/.test(word) ? "an" : "a"} ${word}`;
 
 /** Texts one below the other, each in the languages of the study. */
 function linesField(field: Of<"lines">, path: Path, value: Json | undefined, editing: Editing): TemplateResult {
@@ -151,7 +153,7 @@ function linesField(field: Of<"lines">, path: Path, value: Json | undefined, edi
   };
   return html`<fieldset class="field" id=${idOf(path)} tabindex="-1"><legend class="label">${field.label}</legend>
     ${sortable(entries, { word: field.one, row: line, change: (next) => editing.set(path, next) })}
-    <button class="button quiet add" type="button" @click=${() => editing.set(path, [...entries, ""])}>${icon("plus")}Add a ${field.one}</button>${notes(field, path, editing)}</fieldset>`;
+    <button class="button quiet add" type="button" @click=${() => editing.set(path, [...entries, ""])}>${icon("plus")}Add ${withArticle(field.one)}</button>${notes(field, path, editing)}</fieldset>`;
 }
 
 function labelled(field: Field, path: Path, control: TemplateResult, editing: Editing, deep = false): TemplateResult {

@@ -49,7 +49,8 @@ function entry({ problems, selected, select }: PartsList, what: Selected, name: 
 /** What a place is called in the list: the name of its field; a text's language says nothing there. */
 function nameAt(where: Path): string {
   const names = where.filter((step) => typeof step === "string" && !["en", "fi", "ja"].includes(step));
-  return inWords(String(names.at(-1) ?? ""));
+  const name = String(names.at(-1) ?? "");
+  return { left: "The left word", right: "The right word" }[name] ?? inWords(name);
 }
 
 const countOf = (part: Obj): string => {
@@ -64,10 +65,14 @@ function summary(parts: readonly Obj[]): TemplateResult {
 
 function problemList({ problems, goTo, study }: PartsList): TemplateResult | typeof nothing {
   if (!problems.length) return nothing;
+  return html`<details class="problems" open><summary>${problems.length} to mend before publishing</summary>${problemLinks(study, problems, goTo)}</details>`;
+}
+
+/** What is to be mended, each with the way to its field. */
+export function problemLinks(study: Json, problems: readonly Problem[], goTo: (where: Path) => void): TemplateResult {
   const nameOf = (where: Path) => {
     const what = selectedBy(where);
     return typeof what === "number" ? inWords(at(study, ["parts", what, "id"])) : { about: "The study", welcome: "Welcome and consent", thanks: "Thanks" }[what];
   };
-  return html`<details class="problems" open><summary>${problems.length} to mend before publishing</summary>
-    <ul>${problems.map((problem) => html`<li><button class="link-button" type="button" @click=${() => goTo(problem.where)}>${nameOf(problem.where)}</button> ${said(problem, nameAt(problem.where))}</li>`)}</ul></details>`;
+  return html`<ul>${problems.map((problem) => html`<li><button class="link-button" type="button" @click=${() => goTo(problem.where)}>${nameOf(problem.where)}</button> ${said(problem, nameAt(problem.where))}</li>`)}</ul>`;
 }

@@ -6,8 +6,8 @@ const code = (at: string, label: string, optional: boolean): Field => ({ type: "
 export const WHO: readonly Field[] = [
   { type: "switch", at: "open_link", label: "Whoever has the link may take part", start: true },
   { type: "number", at: "quota", label: "How many may complete it", min: 1, optional: true, hint: "Empty: any number." },
-  { type: "time", at: "opens_at", label: "Opens", optional: true },
-  { type: "time", at: "closes_at", label: "Closes", optional: true },
+  { type: "time", at: "opens_at", label: "Opens", optional: true, hint: "In your own time zone." },
+  { type: "time", at: "closes_at", label: "Closes", optional: true, hint: "In your own time zone." },
 ];
 
 export const PROLIFIC: readonly Field[] = [

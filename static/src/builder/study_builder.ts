@@ -14,7 +14,7 @@ import {
   at, duplicated, freeName, inWords, languagesOf, LANGUAGES, moved, partsOf, put, renamedPart, textOf, withoutPart,
   type Json, type Language, type Obj, type Path, type Problem, type Study,
 } from "./model";
-import { partsList, selectedBy, type Selected } from "./parts_list";
+import { partsList, problemLinks, selectedBy, type Selected } from "./parts_list";
 import { Saving } from "./saving";
 import { missingIn } from "./texts";
 import "../studio/picker";
@@ -236,9 +236,19 @@ export class StudyBuilder extends LitElement {
         <study-preview slug=${study.slug} at=${part} language=${this.language} stored=${this.stored} ?waiting=${!this.canBeShown} ?held=${!this.saving.isStored}></study-preview>
       </div>
       ${addDialog((kind, task) => this.add(kind, task))}
-      ${publishDialog({ ...this.publishing, state: study.state, slug: study.slug, publish: () => void this.publish() })}
+      ${publishDialog({ ...this.publishing, state: study.state, slug: study.slug, mend: this.mend(), publish: () => void this.publish() })}
       ${versionsDialog(study, this.isDraft, editable && study.versions.length ? () => void this.discard() : null)}
       <clip-picker .clips=${this.clips as Clip[]} ?several=${this.several} @pick=${(event: CustomEvent<string | string[]>) => this.picked([event.detail].flat())}></clip-picker>`;
+  }
+
+  /** What keeps the study from being published, each with the way there. */
+  private mend(): TemplateResult | null {
+    if (!Array.isArray(this.publishing.refused?.where?.["problems"])) return null;
+    const leave = (where: Path) => {
+      this.dialog("publish-dialog").close();
+      this.goTo(where);
+    };
+    return html`<div class="problems" role="alert"><p>First to be mended:</p>${problemLinks(this.draft, this.problems, leave)}</div>`;
   }
 
   private header(): TemplateResult {
