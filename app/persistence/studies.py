@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from sqlalchemy import func, select
+from sqlalchemy import func, null, select
 from sqlalchemy.orm import Session
 
 from app.persistence.models import ClipRecord, FigureRecord, Study, StudySession, StudyVersion
@@ -59,10 +59,11 @@ def has_sessions(session: Session, study: Study) -> bool:
 
 
 def state_counts(session: Session) -> dict[tuple[int, str], int]:
-    """How many participants each study has in each state."""
+    """How many participants each study has in each state; whom a researcher left out in none."""
+    left_out = select(StudySession.id).where(StudySession.excluded.is_not(null()))
     rows = session.execute(
         select(StudySession.study_id, StudySession.state, func.count())
-        .where(StudySession.kind == "participant")
+        .where(StudySession.kind == "participant", StudySession.id.not_in(left_out))
         .group_by(StudySession.study_id, StudySession.state)
     )
     return {(study, state): count for study, state, count in rows}

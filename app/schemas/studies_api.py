@@ -16,7 +16,7 @@ Label = Annotated[str, Field(min_length=1, max_length=64), BeforeValidator(stora
 
 
 class StudyCounts(BaseModel):
-    """How many participants stand where; previews and simulated ones are not among them."""
+    """How many participants stand where; simulated ones and those left out are not among them."""
 
     complete: int = 0
     active: int = 0

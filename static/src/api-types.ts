@@ -3569,7 +3569,7 @@ export interface components {
         };
         /**
          * StudyCounts
-         * @description How many participants stand where; previews and simulated ones are not among them.
+         * @description How many participants stand where; simulated ones and those left out are not among them.
          */
         StudyCounts: {
             /**

@@ -19,6 +19,7 @@ from app.persistence.writer import Writer
 from app.schemas.effects import Effects
 from app.services import (
     audit,
+    drafts,
     effects,
     live,
     participants,
@@ -204,6 +205,8 @@ def test_a_straight_liner_is_suspicious_and_leaves_the_results_and_comes_back(db
     (marked,) = without.marked.sessions
     assert (marked.excluded.reason, marked.excluded.by) == ("answered 2 to everything", "Rosa")
     assert results(db, access.slug).participants == before - 1
+    (line,) = drafts.listed(db, access.researcher_id).studies
+    assert line.counts.complete == 5
 
     participants.include(db, access, session.id)
     assert seen(db, access).counts.complete == 6
