@@ -75,7 +75,6 @@ def standing(groups: Sequence[GroupBar], mode: Mode, width: Width = "container")
     spec["layer"] = [bars, numbers]
     spec["data"] = {"values": values}
     spec["resolve"] = {"scale": {"color": "independent"}}
-    spec["config"]["legend"]["columns"] = len(STATES)
     spec["description"] = "Participants by group and by how far they are."
     return spec
 

@@ -125,7 +125,7 @@ class Choices(Result):
 
 
 class PoleRow(Result):
-    """One row of "Is every emotion seen?": a pole's best clip against its body's clips.
+    """One row of "Is every quality seen?": a pole's best clip against its body's clips.
 
     Attributes:
         mean, others: means toward the pole, of the best clip and of its comparison group.

@@ -159,7 +159,8 @@ def clips_sentence(clips: Sequence[ClipCount]) -> str:
         return "No clip was judged yet."
     many = "The clip was" if len(clips) == 1 else f"Each of {len(clips)} clips was"
     between = f"{low:,}" if low == high else f"{low:,} to {high:,}"
-    return f"{many} judged {between} times.".replace(",", "\u202f")
+    times_said = "once" if low == high == 1 else f"{between} times"
+    return f"{many} judged {times_said}.".replace(",", "\u202f")
 
 
 def quantile(histogram: Sequence[tuple[int, int]], share: float) -> float:

@@ -1,4 +1,4 @@
-"""Is every emotion seen? Each pole's best clip against the other clips (Förger, figure 31)."""
+"""Is every quality seen? Each pole's best clip against the other clips (Förger, figure 31)."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def best_clip(
     *, label: str, more: str, against: Literal["others", "all"],
     t: float, df: float, p_holm: float, d: float, low: float, high: float,
 ) -> str:  # fmt: skip
-    """One row of "Is every emotion seen?". `more` is the pole's comparative, such as sadder."""
+    """One row of "Is every quality seen?". `more` is the pole's comparative, such as sadder."""
     rest = "the same body’s other clips" if against == "others" else "all clips of the same body"
     finding = (
         f"The clip “{label}” was seen as {more} than {rest}"

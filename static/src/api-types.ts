@@ -2940,7 +2940,7 @@ export interface components {
         };
         /**
          * PoleRow
-         * @description One row of "Is every emotion seen?": a pole's best clip against its body's clips.
+         * @description One row of "Is every quality seen?": a pole's best clip against its body's clips.
          *
          *     Attributes:
          *         mean, others: means toward the pole, of the best clip and of its comparison group.

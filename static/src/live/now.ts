@@ -67,7 +67,7 @@ export class LiveNow {
     this.asking = true;
     try {
       this.take(await api.page(address));
-      this.say("Follows by itself");
+      this.say("Updates by itself");
     } catch (error) {
       if (!(error instanceof ApiError)) throw error;
       this.say(error.transient ? "No connection just now; the numbers are older" : error.message);

@@ -1,4 +1,4 @@
-// Choosing a row of "Is every emotion seen?" puts its sentence beside the table, ready to copy.
+// Choosing a row of "Is every quality seen?" puts its sentence beside the table, ready to copy.
 
 import type { components } from "../api-types";
 import { api } from "../api";

@@ -86,6 +86,7 @@ def test_clips_are_counted_by_their_version_and_told_with_their_range():
         ("X", 1, 0), ("Y", 2, 1), ("Z", 0, 0),
     ]  # fmt: skip
     assert live_numbers.clips_sentence(clips) == "Each of 3 clips was judged 0 to 3 times."
+    assert live_numbers.clips_sentence(clips[:1]) == "The clip was judged once."
 
 
 @pytest.mark.parametrize(
