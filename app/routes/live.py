@@ -151,7 +151,7 @@ def read_session(
     response_class=Response,
     responses={200: {"content": {"application/json": {}}, "description": EVERYTHING}},
 )
-def export_session(access: StudyEditor, session_id: UUID, db: Writing) -> Response:
+def export_session(access: StudyOwner, session_id: UUID, db: Writing) -> Response:
     """All that is stored of one participant, to hand out to the person. It is written down."""
     found = person_export.export(db, access, session_id)
     name = f"{access.slug}-{live.session_name(session_id)}.json"

@@ -15,7 +15,7 @@ from app.persistence.models import Study, StudyVersion, now
 from app.persistence.writer import Writer
 from app.schemas.studies_api import Changes, Invitation, Problem
 from app.schemas.study import Running, StudyDefinition
-from app.services import audit, drafts, recruiting, studies, study_changes, study_files
+from app.services import audit, drafts, recruiting, rights, studies, study_changes, study_files
 from app.services.rights import Access
 from app.services.study_stimuli import Make, maker, resolve
 from app.workers import Workers
@@ -117,12 +117,18 @@ def unpublishable(draft: dict[str, Any], problems: Sequence[Problem]) -> Invalid
 
 
 def run(db: Session, access: Access, running: Running) -> None:
-    """Change who may come, when, and what happens at the end; versions stay as they are."""
+    """Change who may come, when, and what happens at the end; versions stay as they are.
+
+    Raises:
+        ForbiddenError: the retention time is to change, which deletes, by one who is no owner.
+    """
     study = studies.find(db, access.slug, lock=True)
     before, after = studies.running_of(study), running
     changed = [
         name for name in Running.model_fields if getattr(before, name) != getattr(after, name)
     ]
+    if "retention_days" in changed:
+        rights.may(db, study, access.researcher_id, "own")
     if changed:
         study.running = running.model_dump(mode="json")
         audit.note(db, study.id, "running_changed", access.researcher_id, changed=changed)

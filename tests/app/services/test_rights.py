@@ -9,7 +9,8 @@ from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, ForbiddenError, NotFoundError
 from app.persistence.models import Researcher, Study
-from app.services import audit, rights
+from app.schemas.study import Running
+from app.services import audit, publishing, rights
 
 MAY = {"owner": {"view", "edit", "own"}, "editor": {"view", "edit"}, "viewer": {"view"}}
 
@@ -147,3 +148,14 @@ def test_a_detail_that_looks_like_a_place_to_fill_in_stays_as_it_was_written(db,
         db, study.id, "session_excluded", people["olga"], name="ab", reason="{name} {0} {reason}"
     )
     assert audit.trail(db, study.id).entries[0].sentence.endswith("out: {name} {0} {reason}")
+
+
+def test_only_an_owner_changes_for_how_long_anything_is_kept(db, people, study):
+    edith = rights.access(db, "walks", people["edith"], "edit")
+    publishing.run(db, edith, Running(quota=5))
+    with pytest.raises(ForbiddenError):
+        publishing.run(db, edith, Running(quota=5, retention_days=1))
+    assert Running.model_validate(study.running) == Running(quota=5)
+    olga = rights.access(db, "walks", people["olga"], "own")
+    publishing.run(db, olga, Running(retention_days=365))
+    assert study.running["retention_days"] == 365
