@@ -13,6 +13,7 @@ from app.schemas.study import (
     Form,
     StudyDefinition,
     Trials,
+    Words,
 )
 
 _PAGES = {"welcome": "The welcome page", "thanks": "The last page"}
@@ -142,13 +143,29 @@ def _task(before: Trials, after: Trials) -> Iterator[str]:
         yield f"it asks by {_KINDS[after.task.kind]}, before by {_KINDS[before.task.kind]}."
         return
     if before.task.question != after.task.question:
-        yield f"the question is “{after.task.question}”."
+        yield _question(before.task.question, after.task.question)
     for name, word in (("scales", "scale"), ("items", "line")):
         if hasattr(after.task, name):
             yield from _named_things(word, getattr(before.task, name), getattr(after.task, name))
     listed = {"kind", "question", "scales", "items"}
     if _differs(before.task, after.task, besides=listed):
         yield "steps, hints or options are others."
+
+
+def _question(before: Words, after: Words) -> str:
+    """Says which languages keep the old wording: a translation is easily forgotten."""
+    old, now = before.root, after.root
+    if isinstance(old, str) or isinstance(now, str):
+        return f"the question is “{after}”."
+    changed = [language for language in now if now[language] != old.get(language)]
+    kept = [language for language in now if language not in changed]
+    if not kept:
+        return f"the question is “{after}”."
+    if not changed:
+        return f"the question is in {_listed(_languages(kept))} alone."
+    told = _listed(_languages(changed))
+    words = f" is “{now[changed[0]]}”" if len(changed) == 1 else " changed"
+    return f"the question in {told}{words}; in {_listed(_languages(kept))} it is as before."
 
 
 def _named_things(word: str, before: Sequence[Any], after: Sequence[Any]) -> Iterator[str]:

@@ -67,6 +67,10 @@ CHANGES: dict[str, tuple[Change, str]] = {
         lambda s: trials(s)["task"].update(question="Well?"),
         "“emotions”: the question is “Well?”.",
     ),
+    "question in one language": (
+        lambda s: trials(s)["task"]["question"].update(fi="Mitä näet?"),
+        "“emotions”: the question in Suomi is “Mitä näet?”; in English and 日本語 it is as before.",
+    ),
     "scale gone": (
         lambda s: trials(s)["task"]["scales"].pop(0),
         "“emotions”: scale sad_happy is gone.",
