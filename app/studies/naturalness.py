@@ -211,7 +211,7 @@ def _study(
         },
         "consent": consent(),
         "parts": [about_you(), _how_it_works(), part, last_words(), debriefing(about)],
-        "thanks": thanks(),
+        "thanks": thanks(compared=True),
     }
 
 

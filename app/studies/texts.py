@@ -163,15 +163,22 @@ def debriefing(words: Text) -> Page:
     }
 
 
-def thanks() -> Page:
-    """The last page, with the number of clips judged."""
+def thanks(*, compared: bool = False) -> Page:
+    """The last page, with the number of clips judged; without it where clips were compared."""
+    judged = text(
+        "You judged {clips} movements. Together with the other answers they show what people "
+        "see in a movement.",
+        "Arvioit {clips} liikettä. Yhdessä muiden vastausten kanssa ne kertovat, mitä ihmiset "
+        "näkevät liikkeessä.",
+        "{clips}個の動きを評価していただきました。他の方の回答とあわせて、人が動きから何を感じ取るかが分かります。",
+    )
+    together = text(
+        "Together with the other answers yours show what people see in a movement.",
+        "Yhdessä muiden vastausten kanssa sinun vastauksesi kertovat, mitä ihmiset näkevät "
+        "liikkeessä.",
+        "他の方の回答とあわせて、人が動きから何を感じ取るかが分かります。",
+    )
     return {
         "heading": text("Thank you.", "Kiitos.", "ありがとうございました。"),
-        "text": text(
-            "You judged {clips} movements. Together with the other answers they show what people "
-            "see in a movement.",
-            "Arvioit {clips} liikettä. Yhdessä muiden vastausten kanssa ne kertovat, mitä ihmiset "
-            "näkevät liikkeessä.",
-            "{clips}個の動きを評価していただきました。他の方の回答とあわせて、人が動きから何を感じ取るかが分かります。",
-        ),
+        "text": together if compared else judged,
     }

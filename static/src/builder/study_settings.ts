@@ -67,9 +67,9 @@ export class StudySettings extends LitElement {
 
   private setState(state: string): void {
     void this.attempt("Saved", async () => {
-      const { running } = this;
+      const filled = this.isChanged ? this.running : null;
       this.open(await api.post<Study>(`${this.address}/state`, { state }));
-      this.running = running; // what is filled in below is not lost
+      if (filled) this.running = filled; // what is filled in below is not lost
     });
   }
 
