@@ -32,6 +32,8 @@ FRAMED = {
     )
 }
 
+WELCOME = ":welcome"  # no part can be called so
+
 
 @router.get("")
 def show_studies(request: Request, researcher: SignedIn, db: Reading) -> Response:
@@ -56,9 +58,17 @@ def show_settings(request: Request, access: StudyViewer, db: Reading) -> Respons
 
 @router.get("/studies/{slug}/preview")
 def show_preview(
-    request: Request, access: StudyViewer, part: str = "", language: Language | None = None
-) -> Response:
-    """The participant's page with what is being edited. Nothing is stored."""
+    request: Request, access: StudyViewer, db: Reading,
+    part: str = "", language: Language | None = None,
+) -> Response:  # fmt: skip
+    """The participant's pages with what is being edited. Nothing is stored."""
+    if part == WELCOME:
+        page = drafts.preview_welcome(db, access, language)
+        return render(
+            request, "participant/welcome.html", headers=FRAMED, language=page.language,
+            study=page.study, clip=page.clip, languages=[], carried={}, problem=None,
+            previewing=False, only_shown=True,
+        )  # fmt: skip
     query = urlencode({"part": part, **({"language": language} if language else {})})
     address = f"/api/v1/studies/{access.slug}/preview?{query}"
     spoken = language or SOURCE

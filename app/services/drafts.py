@@ -34,6 +34,7 @@ from app.services import (
     study_text,
 )
 from app.services.rights import Access
+from app.services.studies import WelcomePage
 
 ONE_EDIT = timedelta(minutes=10)  # what is saved so closely together is one entry of the audit
 
@@ -235,17 +236,31 @@ def preview(
     Raises:
         InvalidError: the draft is no study yet; where.problems says why.
     """
-    study = studies.find(db, access.slug)
-    draft = content(db, study)
-    definition, _, found = study_files.examine(draft)
+    definition = _shown(db, access)
+    return session_views.preview(db, definition, language or definition.languages[0], part)
+
+
+def preview_welcome(db: Session, access: Access, language: Language | None) -> WelcomePage:
+    """What a participant would read first.
+
+    Raises:
+        InvalidError: the draft is no study yet; where.problems says why.
+    """
+    definition = _shown(db, access)
+    spoken = language or definition.languages[0]
+    return WelcomePage(definition.into(spoken), spoken, studies.example_clip(db, definition))
+
+
+def _shown(db: Session, access: Access) -> StudyDefinition:
+    """What is being edited, with clips that stand in for those that are not made yet."""
+    definition, _, found = study_files.examine(content(db, studies.find(db, access.slug)))
     if definition is None or not _can_be_shown(found):
         raise InvalidError(
             "The preview waits until nothing is missing.",
             code="study_incomplete",
             where={"problems": [problem.model_dump() for problem in found]},
         )
-    shown = study_stimuli.shown(db, definition)
-    return session_views.preview(db, shown, language or definition.languages[0], part)
+    return study_stimuli.shown(db, definition)
 
 
 def _consent_problems(newest: StudyVersion | None, definition: StudyDefinition) -> list[Problem]:

@@ -52,7 +52,7 @@ export class StudyPreview extends LitElement {
       <div class="preview-room" @pointerenter=${() => (this.inUse = true)}>${this.shown
         ? html`<iframe class=${this.size} title="Preview" src=${this.shown} ?inert=${!this.inUse}></iframe>`
         : html`<p class="preview-empty">The preview comes once there is a part and nothing is missing.</p>`}</div>
-      <p class="tiny preview-note" role="status">${this.waiting && this.shown ? html`The preview shows the study as it was before something went missing.` : this.at ? nothing : html`The preview begins after the welcome page.`}
+      <p class="tiny preview-note" role="status">${this.waiting && this.shown ? html`The preview shows the study as it was before something went missing.` : this.at ? nothing : html`The preview begins with the first part.`}
         Participants always see the light look. Preview answers are never counted.</p>`;
   }
 

@@ -226,7 +226,7 @@ export class StudyBuilder extends LitElement {
 
   protected override render(): TemplateResult {
     const { study, problems, selected, editable } = this;
-    const part = typeof selected === "number" ? textOf(partsOf(this.draft)[selected]?.["id"]) : "";
+    const part = typeof selected === "number" ? textOf(partsOf(this.draft)[selected]?.["id"]) : selected === "welcome" ? ":welcome" : "";
     const show = (view: View, word: string) => html`<button type="button" aria-pressed=${this.view === view} @click=${() => (this.view = view)}>${word}</button>`;
     return html`${this.header()}
       <div class="segments view-choice" role="group" aria-label="What to show">${show("parts", "Parts")}${show("form", "Edit")}${show("preview", "Preview")}</div>

@@ -6,10 +6,11 @@ import json
 
 import pytest
 import yaml
+from sqlalchemy import select
 from starlette.testclient import TestClient
 
 from app.persistence.engine import Database
-from app.persistence.models import Researcher
+from app.persistence.models import Researcher, StudySession
 from app.services import keys, samples
 from app.studies import TEMPLATES
 from tests.app.conftest import Researching
@@ -443,3 +444,15 @@ def test_a_viewer_looks_and_changes_nothing(
         signed_in.client.delete(f"{STUDIES}/gaits", headers=key),
     ]
     assert [answer.status_code for answer in refused] == [403] * 5
+
+
+def test_the_welcome_can_be_looked_at_before_anything_is_published_and_begins_nothing(
+    signed_in: Researching, library: list[str], database: Database
+) -> None:
+    signed_in.post(STUDIES, json={"definition": likert(library)})
+    page = signed_in.client.get("/research/studies/gaits/preview?part=:welcome")
+    assert page.status_code == 200
+    assert "inert" in page.text
+    assert likert(library)["consent"]["statement"] in page.text
+    with database.reading() as db:
+        assert db.scalars(select(StudySession)).all() == []
