@@ -87,7 +87,8 @@ def begin(server: Server) -> str:
 def answer(server: Server, token: str, index: int) -> int:
     """Answer one trial at one server; gives the status."""
     session = get(f"{server.url}/api/v1/sessions/{token}")
-    values = {scale["id"]: 1 for scale in session["study"]["scales"]}
+    (part,) = session["parts"].values()
+    values = {scale["id"]: 1 for scale in part["scales"]}
     body = answer_with(values, index).model_dump(mode="json")
     return httpx2.post(f"{server.url}/api/v1/sessions/{token}/responses", json=body).status_code
 

@@ -34,7 +34,7 @@ def test_the_presets_are_the_thesis_s_twelve_and_four_proposals():
 
 
 def test_every_preset_names_a_pole_of_the_questionnaire():
-    poles = {scale.id: (scale.left, scale.right) for scale in SCALES}
+    poles = {scale["id"]: {scale[side]["en"] for side in ("left", "right")} for scale in SCALES}
     for preset in PRESETS.values():
         assert preset.pole in poles[preset.axis]
 
