@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from app.persistence.engine import Database, make_engine
-from app.persistence.models import Study, StudyVersion
 from app.schemas.study import StudyDefinition
 from app.studies.adjectives import SCALES
+from tests.support.published import add_published
 
 SLUG = "every-kind"
 Document = dict[str, Any]
@@ -73,14 +73,7 @@ def add_every_kind(data_directory: Path) -> StudyDefinition:
     definition = every_kind(_clips(database))
     engine = make_engine(f"sqlite:///{database}")
     with Database(engine).writing() as db:
-        study = Study(slug=SLUG, title=definition.title, state="open", running={})
-        db.add(study)
-        db.flush()
-        document = definition.model_dump(mode="json")
-        digest = definition.content_hash
-        db.add(
-            StudyVersion(study_id=study.id, number=1, definition=document, definition_hash=digest)
-        )
+        add_published(db, definition)
         db.commit()
     engine.dispose()
     return definition

@@ -10,8 +10,9 @@ from app.persistence.engine import Database, make_engine
 from app.persistence.models import ClipRecord
 from tests.browser.participant import keep_still
 from tests.browser.test_participant_access import grave_faults
+from tests.support.published import add_published
 from tests.support.server import Server
-from tests.support.three_languages import HEADINGS, SLUG, THANKS, add, three_languages
+from tests.support.three_languages import HEADINGS, SLUG, THANKS, three_languages
 
 pytestmark = pytest.mark.browser
 
@@ -54,7 +55,7 @@ def publish(server: Server, **running: str) -> str:
     engine = make_engine(f"sqlite:///{server.data_directory / 'manner.sqlite3'}")
     with Database(engine).writing() as db:
         clips = db.query(ClipRecord).filter(ClipRecord.name.like("set_a%")).order_by("name")
-        add(db, three_languages([clip.id for clip in clips.limit(2)]), **running)
+        add_published(db, three_languages([clip.id for clip in clips.limit(2)]), **running)
         db.commit()
     engine.dispose()
     return f"{server.url}/studies/{SLUG}"

@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 from app.persistence.models import ClipRecord, Study, StudyVersion
 from app.schemas.study import StudyDefinition
 from app.services import studies
+from tests.support.published import add_version
 from tests.support.simulate import add_study
 
 SLUG = "every-kind"
@@ -31,13 +32,7 @@ def publish(db: Session, study: Study, told: dict[str, Any]) -> StudyVersion:
     """The next version of a study."""
     made = StudyDefinition.model_validate(told)
     number = 1 if not studies.store.newest_version(db, study) else None
-    version = StudyVersion(
-        study_id=study.id,
-        number=number or studies.newest(db, study).number + 1,
-        definition=made.model_dump(mode="json"),
-        definition_hash=made.content_hash,
-    )
-    db.add(version)
+    version = add_version(db, study, made, number or studies.newest(db, study).number + 1)
     db.commit()
     return version
 

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sqlalchemy.orm import Session
-
-from app.persistence.models import Study, StudyVersion
 from app.schemas.study import StudyDefinition
 
 SLUG = "three-languages"
@@ -70,18 +67,3 @@ def three_languages(clips: Sequence[str], slug: str = SLUG) -> StudyDefinition:
         "contact": "walks@example.org",
     }  # fmt: skip
     return StudyDefinition.model_validate(document)
-
-
-def add(
-    db: Session, definition: StudyDefinition, state: str = "open", **running: Any
-) -> StudyDefinition:
-    """Put a published study into the database; the commit is the caller's."""
-    study = Study(slug=definition.slug, title=definition.title, state=state, running=running)
-    db.add(study)
-    db.flush()
-    version = StudyVersion(study_id=study.id, number=1)
-    version.definition = definition.model_dump(mode="json")
-    version.definition_hash = definition.content_hash
-    db.add(version)
-    db.flush()
-    return definition

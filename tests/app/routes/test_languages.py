@@ -8,8 +8,9 @@ import pytest
 
 from app import i18n, messages
 from app.persistence.models import ClipRecord
+from tests.support.published import add_published
 from tests.support.simulate import add_study
-from tests.support.three_languages import HEADINGS, SLUG, THANKS, add, three_languages
+from tests.support.three_languages import HEADINGS, SLUG, THANKS, three_languages
 
 LANGUAGES = pytest.mark.parametrize("language", ["en", "fi", "ja"])
 WELCOME = f"/studies/{SLUG}"
@@ -36,7 +37,7 @@ def open_study(database):
     def publish(state="open", **running):
         with database.writing() as db:
             clips = [clip.id for clip in db.query(ClipRecord).order_by(ClipRecord.name).limit(2)]
-            add(db, three_languages(clips), state, **running)
+            add_published(db, three_languages(clips), state, **running)
             db.commit()
 
     return publish

@@ -11,9 +11,10 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError
-from app.persistence.models import ClipRecord, Response, Study, StudySession, StudyVersion, now
+from app.persistence.models import ClipRecord, Response, Study, StudySession, now
 from app.schemas.study import StudyDefinition
 from app.services import answers, sessions
+from tests.support.published import add_published
 from tests.support.simulate import add_study, answer_with
 from tests.support.study_files import study_file, trials
 from tests.support.taking_part import begin
@@ -35,19 +36,7 @@ def add(db: Session, number: int, groups: Any = (), running: Any = None, **more:
     for stimulus, clip in zip(part["stimuli"], clips, strict=True):
         stimulus["clip"] = clip
     definition = StudyDefinition.model_validate(study_file(part, groups=groups))
-    made = Study(slug="small", title="Small", state="open", running=running or {})
-    db.add(made)
-    db.flush()
-    db.add(
-        StudyVersion(
-            study_id=made.id,
-            number=1,
-            definition=definition.model_dump(mode="json"),
-            definition_hash=definition.content_hash,
-        )
-    )
-    db.flush()
-    return made
+    return add_published(db, definition, **(running or {}))
 
 
 def come(db: Session, **more: Any) -> str:
