@@ -189,6 +189,38 @@ class GraphRecord(Base):
     created_at: Mapped[datetime] = mapped_column(default=now)
 
 
+class SpaceRecord(Base):
+    """An authoring space, frozen.
+
+    Attributes:
+        id: hash of the definition.
+        name, number: the name that versions have in common, and which of them it is.
+        study_id: whose answers it was made of; None where there was no questionnaire.
+    """
+
+    __tablename__ = "spaces"
+    __table_args__ = (UniqueConstraint("name", "number"),)
+
+    id: Mapped[str] = mapped_column(String(64), primary_key=True)
+    name: Mapped[str] = mapped_column(String(200))
+    number: Mapped[int]
+    definition: Mapped[dict[str, Any]]
+    study_id: Mapped[int | None] = mapped_column(ForeignKey("studies.id"), index=True)
+    made_by: Mapped[int | None] = mapped_column(ForeignKey("researchers.id"))
+    created_at: Mapped[datetime] = mapped_column(default=now)
+
+
+class ImpressionChoices(Base):
+    """What was chosen in the analysis of a study's part (`app.schemas.impressions.Choices`)."""
+
+    __tablename__ = "impression_choices"
+
+    study_id: Mapped[int] = mapped_column(ForeignKey("studies.id"), primary_key=True)
+    part: Mapped[str] = mapped_column(String(60), primary_key=True)
+    choices: Mapped[dict[str, Any]]
+    saved_at: Mapped[datetime] = mapped_column(default=now, onupdate=now)
+
+
 class ApiKey(Base):
     """A program's right to call the API in a researcher's name; only the key's hash is kept.
 

@@ -1,0 +1,203 @@
+"""What people saw in a study's clips, by pairs of adjectives: kept pairs, clusters, stability."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from app.schemas.results import PartName, SessionKind
+from app.schemas.study import Words
+from app.schemas.study.words import ContentHash, Name, Title
+
+LEAST_PEAK, MOST_SPREAD, CLUSTERS = 1.0, 0.85, 4  # Oshita et al., eq. 3 and section 3.6
+
+
+class Choices(BaseModel):
+    """What a researcher chose in the analysis of a part.
+
+    Attributes:
+        least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above.
+        clusters: into how many Ward's tree is cut.
+        names: of the clusters, by the id of the pair that stands first in each.
+        moved: pair to the pair whose cluster it was moved into by hand.
+    """
+
+    model_config = ConfigDict(extra="forbid")
+
+    least_peak: Annotated[float, Field(ge=0, le=10)] = LEAST_PEAK
+    most_spread: Annotated[float, Field(ge=0, le=10)] = MOST_SPREAD
+    clusters: Annotated[int, Field(ge=1, le=50)] = CLUSTERS
+    names: dict[Name, Title] = {}
+    moved: dict[Name, Name] = {}
+
+
+class Pair(BaseModel):
+    """A pair of adjectives.
+
+    Attributes:
+        peak: μ*, the greatest mean of any clip, without its sign.
+        spread: σ̄, the mean over clips of the raters' sample standard deviation; None where no clip
+            has two raters.
+        dropped: why it is left out, in a sentence; None for a kept one.
+        cluster: index of its cluster; None for a dropped one.
+    """
+
+    id: Name
+    left: Words
+    right: Words
+    peak: float | None
+    spread: float | None
+    dropped: str | None
+    cluster: int | None
+    moved: bool
+
+
+class Cluster(BaseModel):
+    """Pairs that go together.
+
+    Attributes:
+        key: the pair that stands first in it, by which it is known.
+        members: pair ids in the order of the tree's leaves, those moved into it last.
+        values: A′, the mean of its pairs for each clip, 0 … 1.
+    """
+
+    key: Name
+    title: Title
+    named: bool
+    members: list[Name]
+    values: list[float]
+
+
+class Merge(BaseModel):
+    """Two branches of the tree become one. Leaves are numbered from 0, then merges.
+
+    Attributes:
+        height: √(2ΔE), as SciPy and R (`ward.D2`) give it; increase: ΔE of eq. 4.
+    """
+
+    left: int
+    right: int
+    height: float
+    increase: float
+    size: int
+
+
+class Rated(BaseModel):
+    """A clip of the study."""
+
+    clip: ContentHash
+    name: str
+    label: str
+    raters: int
+
+
+class Impressions(BaseModel):
+    """The whole analysis of a part.
+
+    Attributes:
+        leaves: the kept pairs in the order of the tree; merges refer to them by place in `kept`.
+        kept: ids of the kept pairs, in the order of the part.
+        matrix: A, clips × kept pairs (in `leaves` order), 0 … 1.
+        means, spreads: clips × all pairs in the part's order; None where nobody rated.
+        sentence: what came out, in words.
+        problem: why there is no analysis yet; None if there is one.
+    """
+
+    slug: str
+    title: str
+    kind: SessionKind
+    part: PartName
+    parts: list[PartName]
+    participants: int
+    simulated: int
+    choices: Choices
+    saved_at: datetime | None
+    clips: list[Rated]
+    pairs: list[Pair]
+    kept: list[Name]
+    leaves: list[Name]
+    merges: list[Merge]
+    matrix: list[list[float]]
+    means: list[list[float | None]]
+    spreads: list[list[float | None]]
+    clusters: list[Cluster]
+    sentence: str
+    problem: str | None
+    may_edit: bool
+
+
+class PairStability(BaseModel):
+    """How often a pair stays when participants are drawn anew."""
+
+    id: Name
+    kept: float
+
+
+class ClusterStability(BaseModel):
+    """How well a cluster is found again: the mean of its best Jaccard overlap (Hennig 2007)."""
+
+    key: Name
+    title: Title
+    overlap: float
+
+
+class ByParticipants(BaseModel):
+    """How like the whole solution one from so many participants is: the adjusted Rand index."""
+
+    participants: int
+    mean: float
+    low: float
+    high: float
+
+
+class Stability(BaseModel):
+    """Bootstrap over participants."""
+
+    samples: int
+    seed: int
+    pairs: list[PairStability]
+    clusters: list[ClusterStability]
+    rand_mean: float
+    rand_low: float
+    rand_high: float
+    by_participants: list[ByParticipants]
+    sentence: str
+
+
+class Moved(BaseModel):
+    """A pair that two solutions put into different clusters, or that only one of them keeps."""
+
+    id: Name
+    left: Words
+    right: Words
+    here: Title | None
+    there: Title | None
+
+
+class Comparison(BaseModel):
+    """Two studies' solutions side by side.
+
+    Attributes:
+        shared: how many pairs both keep; rand: the adjusted Rand index over them.
+        together: this study's cluster title to the other's that it overlaps most.
+    """
+
+    here: str
+    there: str
+    shared: int
+    rand: float | None
+    together: dict[str, str]
+    here_clusters: list[Cluster]
+    there_clusters: list[Cluster]
+    moved: list[Moved]
+    sentence: str
+
+
+class Freeze(BaseModel):
+    """Make an authoring space of the analysis as it is saved."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    name: Title
