@@ -128,7 +128,8 @@ class SpaceDefinition(Part):
     @model_validator(mode="after")
     def _has_a_value_for_each_example(self) -> Self:
         for sliders in filter(None, (self.adjectives, self.features)):
-            for one in (*sliders.primary, *sliders.parameters):
+            rows: tuple[Primary | Parameter, ...] = (*sliders.primary, *sliders.parameters)
+            for one in rows:
                 if len(one.values) != len(self.examples):
                     raise ValueError(f"{one.id}: give one value for each example")
         if len({one.clip for one in self.examples}) < len(self.examples):
