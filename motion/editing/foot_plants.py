@@ -21,7 +21,7 @@ SIDES = ("left", "right")
 _SPAN = 0.1  # s: how long a foot rests at least when it is looked for at rest
 # A contact point stands around a moment at which it is below the strict share of both limits, for
 # as long as it stays below the limits (hysteresis). Height in leg lengths, speed in those a second.
-_LOW, _SLOW, _STRICT = 0.045, 0.25, 0.6
+_LOW, _SLOW, STRICT = 0.045, 0.25, 0.6
 _AT_REST = 0.1  # of both limits
 _STEADY = 0.015  # s, standard deviation of the smoothing of its velocity
 
@@ -104,10 +104,10 @@ def _find_foot(clip: Clip, pose: WorldPose, side: str) -> Foot:
     ankle = roles[f"{side}_foot"]
     toes = roles.get(f"{side}_toes")
     joints = [ankle] if toes is None else [ankle, toes]
-    resting = _resting_frames(pose, joints, clip.frame_time)
+    resting = resting_frames(pose, joints, clip.frame_time)
     points = tuple(_sole_point(pose, joint, resting) for joint in joints)
-    level = np.array([_motion_level(p.positions(pose), clip, side) for p in points])
-    stands = np.array([binary_propagation(row < _STRICT, mask=row < 1.0) for row in level])
+    level = np.array([motion_level(p.positions(pose), clip, side) for p in points])
+    stands = np.array([binary_propagation(row < STRICT, mask=row < 1.0) for row in level])
     slowest = np.where(stands, level, np.inf).argmin(axis=0) == np.arange(len(points))[:, None]
     slowest |= level < _AT_REST  # heel and ball both, instead of either by chance
     return Foot(
@@ -115,7 +115,7 @@ def _find_foot(clip: Clip, pose: WorldPose, side: str) -> Foot:
     )
 
 
-def _resting_frames(pose: WorldPose, joints: list[int], frame_time: float) -> NDArray[np.intp]:
+def resting_frames(pose: WorldPose, joints: list[int], frame_time: float) -> NDArray[np.intp]:
     """Frames in which the whole foot is lowest and slowest: there it is flat."""
     places = pose.positions[:, joints]
     if len(places) < 3:
@@ -136,7 +136,7 @@ def _sole_point(pose: WorldPose, joint: int, resting: NDArray[np.intp]) -> Conta
     return ContactPoint(joint, height * down / np.linalg.norm(down))
 
 
-def _motion_level(positions: Array, clip: Clip, side: str) -> Array:
+def motion_level(positions: Array, clip: Clip, side: str) -> Array:
     """How far (T,) a point is from standing: 1 where it is just low enough and slow enough."""
     if len(positions) < 3:
         return np.zeros(len(positions))

@@ -1,0 +1,116 @@
+"""When the feet of a cyclic walk or run strike the floor and leave it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import binary_propagation
+
+from motion.clip import Clip
+from motion.editing.cycles import three_cycles
+from motion.editing.foot_plants import (
+    STRICT,
+    ContactPoint,
+    Foot,
+    find_feet,
+    motion_level,
+    resting_frames,
+    runs,
+)
+from motion.errors import MotionError
+from motion.kinematics import WorldPose, forward_kinematics
+from motion.rotations import conjugate, rotate
+
+Array = NDArray[np.float64]
+
+Keytimes = Mapping[str, float]
+"""Event name to seconds from the clip's first frame, from 0 up to, not including, its duration."""
+
+EVENTS = ("left_strike", "left_off", "right_strike", "right_off")
+"""A foot's heel strikes when it comes to stand; its toes are off when it stands no more."""
+
+# A foot strikes with its heel and leaves with its toes' tip, which both lie beyond the joints. How
+# far, in lengths from ankle to floor and from ankle to ball; the moments hardly depend on it.
+_HEEL, _TIP = 0.7, 0.6
+
+
+def find_keytimes(clip: Clip) -> dict[str, float]:
+    """Seconds of each of the ``EVENTS`` in a cyclic clip; none where its feet do not step.
+
+    Of each foot's plants the longest counts. Moments lie between frames where they belong, and a
+    cycle that begins elsewhere has the same ones, shifted.
+
+    Returns:
+        Event to seconds from the first frame, in [0, duration). Empty for a clip that is not
+        cyclic, for a skeleton without legs, and if a foot never or always stands.
+    """
+    if not clip.cyclic or clip.frames < 4:
+        return {}
+    three = three_cycles(clip)
+    pose = forward_kinematics(three)
+    try:
+        feet = find_feet(three, pose)
+    except MotionError:
+        return {}
+    found: dict[str, float] = {}
+    for foot in feet:
+        plant = _longest(contact_times(three, pose, foot), clip.duration)
+        if plant is None:
+            return {}
+        for event, moment in zip(("strike", "off"), plant, strict=True):
+            found[f"{foot.side}_{event}"] = _within(moment, clip.duration)
+    return found
+
+
+def contact_times(clip: Clip, pose: WorldPose, foot: Foot) -> list[tuple[float, float]]:
+    """When a foot strikes and when it is off, in seconds, for each time that it stands.
+
+    A plant that the clip's first or last frame cuts short is left out.
+    """
+    points = [*foot.points, *_ends(clip, pose, foot)]
+    levels = [motion_level(point.positions(pose), clip, foot.side) for point in points]
+    level = np.min(levels, axis=0)
+    stands = np.asarray(binary_propagation(level < STRICT, mask=level < 1.0))
+    return [
+        (_crossing(level, plant.start, -1) * clip.frame_time,
+         _crossing(level, plant.stop - 1, 1) * clip.frame_time)
+        for plant in runs(stands)
+        if plant.start > 0 and plant.stop < clip.frames
+    ]  # fmt: skip
+
+
+def _ends(clip: Clip, pose: WorldPose, foot: Foot) -> list[ContactPoint]:
+    """The heel and the toes' tip on the floor; none for a foot without toes."""
+    if len(foot.points) < 2:
+        return []
+    sole, ball = foot.points
+    resting = resting_frames(pose, [sole.joint, ball.joint], clip.frame_time)
+    places = pose.positions[resting]
+    ahead = (places[:, ball.joint] - places[:, sole.joint]) * np.array([1.0, 0.0, 1.0])
+    found = []
+    for point, share in ((sole, -_HEEL * float(np.linalg.norm(sole.offset))), (ball, _TIP)):
+        local = rotate(conjugate(pose.rotations[resting, point.joint]), ahead).mean(axis=0)
+        way = local if point is ball else local / np.linalg.norm(local)
+        found.append(ContactPoint(point.joint, point.offset + share * way))
+    return found
+
+
+def _crossing(level: Array, inside: int, way: int) -> float:
+    """Frame, fractional, at which the level leaves a plant beyond its last frame inside."""
+    here, there = level[inside], level[inside + way]
+    return inside + way * float((1.0 - here) / max(there - here, 1e-12))
+
+
+def _longest(plants: list[tuple[float, float]], duration: float) -> tuple[float, float] | None:
+    """The longest of the plants that begin in the middle one of three cycles."""
+    # A thousandth of a cycle more: one that begins right at the seam is in at one of its ends.
+    slack = 1e-3 * duration
+    middle = [p for p in plants if duration - slack <= p[0] < 2.0 * duration + slack]
+    return max(middle, key=lambda plant: round((plant[1] - plant[0]) / slack), default=None)
+
+
+def _within(moment: float, duration: float) -> float:
+    inside = moment % duration
+    return 0.0 if np.isclose(inside, duration, rtol=1e-12) else inside
