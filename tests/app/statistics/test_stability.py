@@ -1,0 +1,127 @@
+import numpy as np
+import pytest
+
+from app.statistics.agreement import adjusted_rand
+from app.statistics.quantification import quantify
+from app.statistics.stability import best_jaccard, stability
+from app.statistics.ward import cut, ward
+
+LOADS = np.repeat([0, 1, 2, 3], [3, 4, 2, 3])
+
+
+def rated(participants=14, noise=0.6, clips=10, missing=0.0):
+    """Answers of four groups of pairs, and three pairs that say nothing."""
+    generator = np.random.default_rng(11)
+    latent = 1.8 * np.sin(np.arange(clips)[:, None] * [0.7, 1.3, 1.9, 2.6])[:, LOADS]
+    latent = np.hstack([latent, np.zeros((clips, 3))])
+    noisy = latent + generator.normal(0, noise, (participants, *latent.shape))
+    ratings = np.clip(np.rint(noisy), -2, 2)
+    ratings[generator.random(ratings.shape) < missing] = np.nan
+    return ratings
+
+
+def found_in(ratings, seed=1, **more):
+    return stability(ratings, generator=np.random.default_rng(seed), **more)
+
+
+@pytest.mark.parametrize("missing", [0.0, 0.25])
+def test_the_fast_way_is_the_slow_one_with_every_participant_taken_so_often(missing):
+    ratings = rated(noise=1.0, missing=missing)
+    people, samples, pairs = len(ratings), 60, ratings.shape[2]
+    found = found_in(ratings, samples=samples, sizes=[], most_spread=0.95)
+    draws = np.random.default_rng(1).multinomial(people, np.full(people, 1 / people), samples)
+    rated_by = (~np.isnan(ratings)).sum(axis=0)
+    kept_count, both, together, rand = np.zeros(pairs), *np.zeros((2, pairs, pairs)), []
+    full = found.labels
+    for draw in draws:
+        of_sample = quantify(np.repeat(ratings, draw, axis=0))
+        spread = np.nanmean(of_sample.spread * np.sqrt(rated_by / (rated_by - 1)), axis=0)
+        keeps = ~((of_sample.peak < 1.0) | (spread > 0.95))
+        kept_count += keeps
+        labels = np.full(pairs, -1)
+        columns = of_sample.mean[:, keeps]
+        labels[keeps] = cut(ward(columns[~np.isnan(columns).any(axis=1)].T), 4)
+        for one, other in np.ndindex(pairs, pairs):
+            if keeps[one] and keeps[other]:
+                both[one, other] += 1
+                together[one, other] += labels[one] == labels[other]
+        shared = keeps & (full >= 0)
+        rand.append(adjusted_rand(full[shared], labels[shared]))
+    np.testing.assert_allclose(found.kept_share, kept_count / samples)
+    with np.errstate(invalid="ignore"):
+        np.testing.assert_allclose(found.together, together / both)
+    np.testing.assert_allclose(found.rand, rand)
+
+
+def test_people_who_agree_give_the_same_solution_whoever_is_asked():
+    found = found_in(rated(noise=0.0), samples=50)
+    assert set(found.kept_share) == {0.0, 1.0}
+    assert (found.rand == 1).all()
+    assert (found.cluster_stability == 1).all()
+    assert {size.rand for size in found.by_participants} == {1.0}
+    kept = found.labels >= 0
+    assert adjusted_rand(found.labels[kept], LOADS) == 1
+    assert not kept[len(LOADS) :].any()
+
+
+def test_pairs_that_are_never_kept_are_together_with_none():
+    found = found_in(rated(noise=0.0), samples=20, sizes=[])
+    assert np.isnan(found.together[-1]).all()
+    assert (np.diag(found.together)[: len(LOADS)] == 1).all()
+
+
+def test_answers_without_meaning_give_another_solution_every_time():
+    ratings = np.random.default_rng(3).integers(-2, 3, (14, 10, 41)).astype(float)
+    found = found_in(ratings, least_peak=0.0, most_spread=9.0, samples=100, sizes=[])
+    meaningful = found_in(rated(), samples=100, sizes=[])
+    assert found.rand.mean() < 0.5 < 0.9 < meaningful.rand.mean()
+    assert found.cluster_stability.max() < meaningful.cluster_stability.min()
+
+
+def test_more_participants_agree_more_with_all_of_them():
+    found = found_in(rated(noise=1.2), samples=500, most_spread=9.0, sizes=[3, 14, 56])
+    rand = [size.rand for size in found.by_participants]
+    alike = [size.kept_alike for size in found.by_participants]
+    assert rand == sorted(rand)
+    assert alike == sorted(alike)
+    assert [size.participants for size in found.by_participants] == [3, 14, 56]
+    assert all(size.low <= size.rand <= size.high for size in found.by_participants)
+
+
+def test_numbers_of_participants_go_to_twice_as_many_as_there_are():
+    found = found_in(rated(), samples=10)
+    assert [size.participants for size in found.by_participants] == [4, 6, 8, 11, 14, 21, 28]
+
+
+def test_the_same_seed_gives_the_same():
+    one, same, other = (found_in(rated(), seed, samples=50) for seed in (1, 1, 2))
+    assert one.by_participants == same.by_participants != other.by_participants
+    np.testing.assert_array_equal(one.kept_share, same.kept_share)
+
+
+def test_a_sample_that_keeps_too_few_pairs_has_no_solution_and_no_stable_cluster():
+    ratings = np.zeros((2, 4, 4))
+    ratings[0] = 2 * np.eye(4)  # one person sees four differences, the other none
+    found = found_in(ratings, least_peak=1.0, most_spread=9.0, samples=200, sizes=[1])
+    nobody_saw = np.isnan(found.rand)
+    assert 0.15 < nobody_saw.mean() < 0.35  # a quarter of the samples is the other one twice
+    assert found.kept_share == pytest.approx(1 - nobody_saw.mean())
+    assert found.cluster_stability == pytest.approx(1 - nobody_saw.mean())
+    assert found.by_participants[0].rand == 1
+    assert (np.diag(found.together) == 1).all()
+
+
+def test_jaccard_compares_a_cluster_with_the_most_similar_one():
+    full = np.array([0, 0, 0, 1, 1, -1])
+    other = np.array([1, 1, 0, 0, -1, 0])
+    assert best_jaccard(full, other).tolist() == pytest.approx([2 / 3, 1 / 4])
+
+
+def test_a_bootstrap_of_one_participant_is_refused():
+    with pytest.raises(ValueError, match="two participants"):
+        found_in(rated(participants=1))
+
+
+def test_fewer_kept_pairs_than_clusters_are_refused():
+    with pytest.raises(ValueError, match="4 clusters"):
+        found_in(np.zeros((5, 3, 8)))
