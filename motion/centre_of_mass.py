@@ -60,7 +60,7 @@ def centre_of_mass(skeleton: Skeleton, pose: WorldPose) -> Array:
     Raises:
         MotionError: if a body role that a segment needs is missing.
     """
-    ends = _Ends(skeleton, pose)
+    ends = SegmentEnds(skeleton, pose)
     total, mass = np.zeros((len(pose.positions), 3)), 0.0
     for name, segment in SEGMENTS.items():
         for near, far in ends.of(name):
@@ -69,8 +69,12 @@ def centre_of_mass(skeleton: Skeleton, pose: WorldPose) -> Array:
     return total / mass  # the table's masses sum to 1 but for rounding
 
 
-class _Ends:
-    """Where the segments begin and end."""
+class SegmentEnds:
+    """Where the segments begin and end.
+
+    Raises:
+        MotionError: if a body role that a segment needs is missing.
+    """
 
     def __init__(self, skeleton: Skeleton, pose: WorldPose) -> None:
         self.roles = skeleton.roles
