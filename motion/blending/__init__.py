@@ -1,0 +1,1 @@
+"""Blends of example motions: weights from parameters, warped time, and feet that stand."""
