@@ -11,13 +11,16 @@ from scipy.ndimage import binary_propagation
 from motion.clip import Clip
 from motion.editing.cycles import three_cycles
 from motion.editing.foot_plants import (
+    LOW,
     STRICT,
     ContactPoint,
     Foot,
     find_feet,
+    leg_length,
     motion_level,
     resting_frames,
     runs,
+    steady_speed,
 )
 from motion.errors import MotionError
 from motion.kinematics import WorldPose, forward_kinematics
@@ -34,6 +37,9 @@ EVENTS = ("left_strike", "left_off", "right_strike", "right_off")
 # A foot strikes with its heel and leaves with its toes' tip, which both lie beyond the joints. How
 # far, in lengths from ankle to floor and from ankle to ball; the moments hardly depend on it.
 _HEEL, _TIP = 0.7, 0.6
+# Shares of its fastest below which the heel has struck and the tip is not yet off: a heel comes to
+# rest at once, while toes roll on before they leave.
+_STRUCK, _ROLLING = 0.08, 0.12
 
 
 def find_keytimes(clip: Clip) -> dict[str, float]:
@@ -69,16 +75,29 @@ def contact_times(clip: Clip, pose: WorldPose, foot: Foot) -> list[tuple[float, 
 
     A plant that the clip's first or last frame cuts short is left out.
     """
-    points = [*foot.points, *_ends(clip, pose, foot)]
-    levels = [motion_level(point.positions(pose), clip, foot.side) for point in points]
-    level = np.min(levels, axis=0)
+    ends = _ends(clip, pose, foot)
+    levels = [motion_level(p.positions(pose), clip, foot.side) for p in (*foot.points, *ends)]
+    level = early = late = np.min(levels, axis=0)
+    if ends:
+        low = LOW * leg_length(clip, foot.side)
+        heel, tip = (point.positions(pose) for point in ends)
+        early = np.minimum(level, _end_level(heel, clip.frame_time, _STRUCK, low))
+        late = np.minimum(level, _end_level(tip, clip.frame_time, _ROLLING, low))
     stands = np.asarray(binary_propagation(level < STRICT, mask=level < 1.0))
+    plants = [
+        (_edge(early, plant.start, -1), _edge(late, plant.stop - 1, 1)) for plant in runs(stands)
+    ]
     return [
-        (_crossing(level, plant.start, -1) * clip.frame_time,
-         _crossing(level, plant.stop - 1, 1) * clip.frame_time)
-        for plant in runs(stands)
-        if plant.start > 0 and plant.stop < clip.frames
-    ]  # fmt: skip
+        (a * clip.frame_time, b * clip.frame_time)
+        for a, b in plants
+        if a > 0.0 and b < clip.frames - 1.0
+    ]
+
+
+def _end_level(places: Array, frame_time: float, share: float, low: float) -> Array:
+    """How far (T,) the heel or the tip is from standing, by a share of its greatest speed."""
+    speed = steady_speed(places, frame_time)
+    return np.maximum(speed / (share * max(float(speed.max()), 1e-9)), places[:, 1] / low)
 
 
 def _ends(clip: Clip, pose: WorldPose, foot: Foot) -> list[ContactPoint]:
@@ -97,10 +116,17 @@ def _ends(clip: Clip, pose: WorldPose, foot: Foot) -> list[ContactPoint]:
     return found
 
 
-def _crossing(level: Array, inside: int, way: int) -> float:
-    """Frame, fractional, at which the level leaves a plant beyond its last frame inside."""
-    here, there = level[inside], level[inside + way]
-    return inside + way * float((1.0 - here) / max(there - here, 1e-12))
+def _edge(level: Array, frame: int, way: int) -> float:
+    """Frame, fractional, at which a level comes to 1 on the way from a frame where it is below.
+
+    The first or last frame if it never does.
+    """
+    beyond = np.flatnonzero(level[frame::way] >= 1.0)
+    if len(beyond) == 0:
+        return 0.0 if way < 0 else len(level) - 1.0
+    there = frame + way * int(beyond[0])
+    here = there - way
+    return here + way * float((1.0 - level[here]) / (level[there] - level[here]))
 
 
 def _longest(plants: list[tuple[float, float]], duration: float) -> tuple[float, float] | None:

@@ -59,12 +59,15 @@ def cut_cycle(clip: Clip, start: float | None = None, end: float | None = None) 
     if start is None and end is None:
         if clip.cyclic:
             return _from_left_strike(clip)
-        first, last = _best_stride(clip)
-    else:
-        first, last = _asked_for(clip, start, end)
-    seamless = _seamless(clip, first, last)
-    legs = all(f"{s}_{part}" in clip.skeleton.roles for s in SIDES for part in _LEG)
-    return _along_z(repair_feet(seamless, seamless) if legs else seamless)
+        cycle = _standing(_seamless(clip, *_best_stride(clip)))
+        return _along_z(_from_left_strike(cycle))
+    return _along_z(_standing(_seamless(clip, *_asked_for(clip, start, end))))
+
+
+def _standing(cycle: Clip) -> Clip:
+    """The cycle with feet that do not slide where they stand, if it has legs."""
+    legs = all(f"{s}_{part}" in cycle.skeleton.roles for s in SIDES for part in _LEG)
+    return repair_feet(cycle, cycle) if legs else cycle
 
 
 def roll_cycle(clip: Clip, frame: int) -> Clip:

@@ -21,7 +21,7 @@ SIDES = ("left", "right")
 _SPAN = 0.1  # s: how long a foot rests at least when it is looked for at rest
 # A contact point stands around a moment at which it is below the strict share of both limits, for
 # as long as it stays below the limits (hysteresis). Height in leg lengths, speed in those a second.
-_LOW, _SLOW, STRICT = 0.045, 0.25, 0.6
+LOW, _SLOW, STRICT = 0.045, 0.25, 0.6
 _AT_REST = 0.1  # of both limits
 _STEADY = 0.015  # s, standard deviation of the smoothing of its velocity
 
@@ -137,12 +137,19 @@ def _sole_point(pose: WorldPose, joint: int, resting: NDArray[np.intp]) -> Conta
 
 
 def motion_level(positions: Array, clip: Clip, side: str) -> Array:
-    """How far (T,) a point is from standing: 1 where it is just low enough and slow enough."""
+    """How far (T,) a point (T, 3) is from standing: 1 where it is just low and slow enough."""
     if len(positions) < 3:
         return np.zeros(len(positions))
     leg = leg_length(clip, side)
-    velocity = np.gradient(positions, clip.frame_time, axis=0)
-    # A recording's jitter, which grows with its rate, is no motion of the foot.
-    velocity = gaussian_filter1d(velocity, _STEADY / clip.frame_time, axis=0, mode="nearest")
-    speed = np.linalg.norm(velocity, axis=1)
-    return np.maximum(speed / (_SLOW * leg), positions[:, 1] / (_LOW * leg))
+    speed = steady_speed(positions, clip.frame_time)
+    return np.maximum(speed / (_SLOW * leg), positions[:, 1] / (LOW * leg))
+
+
+def steady_speed(positions: Array, frame_time: float) -> Array:
+    """Speed (T,) of a point (T ≥ 2, 3), m/s, without a recording's jitter.
+
+    Jitter, which grows with the frame rate, is no motion of the foot.
+    """
+    velocity = np.gradient(positions, frame_time, axis=0)
+    velocity = gaussian_filter1d(velocity, _STEADY / frame_time, axis=0, mode="nearest")
+    return np.linalg.norm(velocity, axis=1)
