@@ -18,10 +18,11 @@ class Choices(BaseModel):
     """What a researcher chose in the analysis of a part.
 
     Attributes:
-        least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above.
+        least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above. The defaults
+            are for answers from −2 to 2 and grow with the reach of others.
         clusters: into how many Ward's tree is cut.
         names: of the clusters, by the id of the pair that stands first in each.
-        moved: pair to the pair whose cluster it was moved into by hand.
+        moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
     """
 
     model_config = ConfigDict(extra="forbid")
@@ -60,14 +61,14 @@ class Cluster(BaseModel):
     Attributes:
         key: the pair that stands first in it, by which it is known.
         members: pair ids in the order of the tree's leaves, those moved into it last.
-        values: A′, the mean of its pairs for each clip, 0 … 1.
+        values: A′, the mean of its pairs for each clip, 0 … 1; None where a pair has no answer.
     """
 
     key: Name
     title: Title
     named: bool
     members: list[Name]
-    values: list[float]
+    values: list[float | None]
 
 
 class Merge(BaseModel):
@@ -99,10 +100,12 @@ class Impressions(BaseModel):
     Attributes:
         leaves: the kept pairs in the order of the tree; merges refer to them by place in `kept`.
         kept: ids of the kept pairs, in the order of the part.
-        matrix: A, clips × kept pairs (in `leaves` order), 0 … 1.
+        matrix: A, clips × kept pairs (in `leaves` order), 0 … 1; None where nobody rated.
         means, spreads: clips × all pairs in the part's order; None where nobody rated.
+        reach: the outermost step; answers lie in −reach … reach.
         sentence: what came out, in words.
-        problem: why there is no analysis yet; None if there is one.
+        notes: what of the choices or the answers could not be taken in, a sentence each.
+        problem: why there are no clusters yet; None if there are.
     """
 
     slug: str
@@ -110,6 +113,7 @@ class Impressions(BaseModel):
     kind: SessionKind
     part: PartName
     parts: list[PartName]
+    reach: int
     participants: int
     simulated: int
     choices: Choices
@@ -119,11 +123,12 @@ class Impressions(BaseModel):
     kept: list[Name]
     leaves: list[Name]
     merges: list[Merge]
-    matrix: list[list[float]]
+    matrix: list[list[float | None]]
     means: list[list[float | None]]
     spreads: list[list[float | None]]
     clusters: list[Cluster]
     sentence: str
+    notes: list[str]
     problem: str | None
     may_edit: bool
 
