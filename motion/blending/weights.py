@@ -93,8 +93,8 @@ class WeightMap:
 def _distinct(examples: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Which examples (M,) are the first with their parameters, and whose each (N,) shares."""
     far = np.linalg.norm(examples[:, None] - examples, axis=-1) > _SAME
-    first = np.argmin(far, axis=1)
-    return np.unique(first, return_inverse=True)
+    first, member = np.unique(np.argmin(far, axis=1), return_inverse=True)
+    return first.astype(np.intp), member.astype(np.intp)
 
 
 def _nearest(places: Array) -> Array:

@@ -1,0 +1,164 @@
+"""A clip made ready to be blended: begun at its left strike, headed for +z, its feet known."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d
+
+from motion.clip import Clip
+from motion.editing.cycles import three_cycles
+from motion.editing.foot_plants import SIDES, Foot, find_feet
+from motion.errors import MotionError
+from motion.graph_window import frames_of
+from motion.kinematics import WorldPose, forward_kinematics
+from motion.rotations import from_axis_angle, multiply, rotate, to_directions
+from motion.units import heading, overall_heading
+
+Array = NDArray[np.float64]
+
+_UP = np.array([0.0, 1.0, 0.0])
+_GOING = 0.2  # m a cycle: whoever goes less far has no heading but their body's
+_SOFT = 0.03  # s, standard deviation: how softly a foot is taken for standing
+_LEG = ("thigh", "shin", "foot")
+
+
+@dataclass(frozen=True, eq=False)
+class Example:
+    """A clip as signals over its frames.
+
+    Attributes:
+        clip: as it was given.
+        rows: (F, C) for each frame: six direction vectors' components of each joint, the root's
+            place and, for each foot, those of ``sole_rows``. Places are less the even travel. Of a
+            cycle without its closing frame; otherwise with one frame more before and after.
+        phases: event to share of the clip, ascending.
+        travel: (3,) m, taken out of the places.
+        turned: rad about the vertical that the blend is to be turned back by.
+        feet: the feet with their contact points; none for a body without legs.
+    """
+
+    clip: Clip
+    rows: Array
+    phases: Mapping[str, float]
+    travel: Array
+    turned: float
+    feet: tuple[Foot, ...]
+
+    @property
+    def spans(self) -> int:
+        """Number of steps from frame to frame."""
+        return self.clip.frames - 1
+
+    @classmethod
+    def of(cls, clip: Clip, keytimes: Mapping[str, float], anchor: str | None) -> Example:
+        """A clip with its keytimes, begun at one of them; what was made is remembered.
+
+        Raises:
+            MotionError: if the clip has no two frames or a keytime is not within it.
+        """
+        return _prepared(clip, tuple(sorted(keytimes.items())), anchor)
+
+
+@lru_cache(maxsize=256)
+def _prepared(clip: Clip, keytimes: tuple[tuple[str, float], ...], anchor: str | None) -> Example:
+    if clip.frames < 2:
+        raise MotionError("A clip of a single frame cannot be blended.")
+    for name, moment in keytimes:
+        if not 0.0 <= moment <= clip.duration:
+            raise MotionError(
+                f"The keytime {name} at {moment:g} s is not within the clip, "
+                f"0 to {clip.duration:.3f} s."
+            )
+    start = 0
+    if clip.cyclic and anchor is not None:
+        start = round(dict(keytimes)[anchor] / clip.frame_time) % (clip.frames - 1)
+    begun = _begun_at(clip, start)
+    aligned, turned = _aligned(begun)
+    pose = forward_kinematics(aligned)
+    feet = _feet(aligned)
+    travel = aligned.travel if clip.cyclic else np.zeros(3)
+    rows = _signals(aligned, pose, feet, travel)
+    if not clip.cyclic:
+        rows = np.vstack([2.0 * rows[:1] - rows[1:2], rows, 2.0 * rows[-1:] - rows[-2:-1]])
+    phases = {name: moment / clip.duration for name, moment in keytimes}
+    if clip.cyclic:
+        phases = _from(phases, start, clip.frames - 1)
+    ordered = dict(sorted(phases.items(), key=lambda item: item[1]))
+    return Example(clip, rows, ordered, travel, turned, feet)
+
+
+def _begun_at(clip: Clip, frame: int) -> Clip:
+    """The cycle from another frame on, where it would be had it begun there at the same place."""
+    if frame == 0:
+        return clip
+    root, rotations = frames_of(clip, frame, frame + clip.frames)
+    root = root - clip.travel * (frame / (clip.frames - 1))
+    return replace(clip, root_positions=root, rotations=rotations)
+
+
+def _from(phases: Mapping[str, float], start: int, spans: int) -> dict[str, float]:
+    """Shares of a cycle that begins at a frame; what comes half a frame before it is just below 0.
+
+    So a strike between two frames keeps its place, and no frame is sampled between others.
+    """
+    late = 1.0 - 0.5 / spans - 1e-9
+    shifted = {name: (phase - start / spans) % 1.0 for name, phase in phases.items()}
+    return {name: phase - 1.0 if phase >= late else phase for name, phase in shifted.items()}
+
+
+def _aligned(clip: Clip) -> tuple[Clip, float]:
+    """The clip turned about its start to go, or else to face, along +z; and the turn to restore."""
+    x, _, z = clip.travel
+    going = clip.cyclic and np.hypot(x, z) >= _GOING
+    if going:
+        angle = float(np.arctan2(x, z))
+    else:
+        pose = forward_kinematics(clip)
+        angle, _ = overall_heading(heading(pose, clip.skeleton.roles), clip.frame_time)
+    return turned(clip, -angle), 0.0 if going else angle
+
+
+def turned(clip: Clip, angle: float) -> Clip:
+    """The clip turned about the vertical through its first root position, by rad."""
+    if angle == 0.0:
+        return clip
+    turn, start = from_axis_angle(_UP, angle), clip.root_positions[0]
+    rotations = clip.rotations.copy()
+    rotations[:, 0] = multiply(turn, rotations[:, 0])
+    root = start + rotate(turn, clip.root_positions - start)
+    return replace(clip, root_positions=root, rotations=rotations)
+
+
+def _feet(clip: Clip) -> tuple[Foot, ...]:
+    """The feet; when they stand is known of a cycle's end from its beginning."""
+    roles = clip.skeleton.roles
+    if any(f"{side}_{part}" not in roles for side in SIDES for part in _LEG):
+        return ()
+    if not clip.cyclic:
+        return find_feet(clip)
+    part = slice(clip.frames - 1, 2 * clip.frames - 1)
+    feet = find_feet(three_cycles(clip))
+    return tuple(replace(foot, planted=foot.planted[:, part]) for foot in feet)
+
+
+def _signals(clip: Clip, pose: WorldPose, feet: tuple[Foot, ...], travel: Array) -> Array:
+    """(F, C) rows; see ``Example``."""
+    count = clip.frames - 1 if clip.cyclic else clip.frames
+    gone = np.linspace(0.0, 1.0, clip.frames)[:, None] * travel
+    columns = [to_directions(clip.rotations).reshape(clip.frames, -1), clip.root_positions - gone]
+    mode: Literal["wrap", "nearest"] = "wrap" if clip.cyclic else "nearest"
+    for foot in feet:
+        columns += [pose.positions[:, foot.ankle] - gone]
+        columns += [to_directions(pose.rotations[:, foot.ankle])]
+        for point, planted in zip(foot.points, foot.planted, strict=True):
+            flags = planted[:count].astype(float)
+            share = np.zeros((clip.frames, 1))
+            share[:count, 0] = gaussian_filter1d(flags, _SOFT / clip.frame_time, mode=mode)
+            columns += [point.positions(pose) - gone, share]
+    return np.ascontiguousarray(np.hstack(columns)[:count])
