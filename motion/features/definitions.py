@@ -24,7 +24,7 @@ class Feature:
     """One number about a clip.
 
     Attributes:
-        id: for programs: the measured signal and, but for single values, mean or spread.
+        id: for programs, such as "left_thigh_front_back_spread".
         title: on screen.
         group: one of FEATURE_GROUPS.
         unit: °, m, m/s or s.
@@ -47,9 +47,16 @@ class Feature:
 
 @dataclass(frozen=True)
 class _Signal:
-    """What is measured in every frame, or once a clip: the words of its features."""
+    """What is measured in every frame: the words of its features.
 
-    title: str
+    Attributes:
+        titles: of its mean and its spread.
+        unit: °, m or m/s.
+        definition: in words that fit behind "Mean over time of".
+        positive: what a greater mean means.
+    """
+
+    titles: tuple[str, str]
     unit: str
     definition: str
     positive: str
@@ -57,14 +64,6 @@ class _Signal:
 
 MEAN, SPREAD = "mean", "spread"
 FRONT_BACK, LEFT_RIGHT = "front_back", "left_right"
-_STATISTICS = {
-    MEAN: ("mean", "Mean over the clip of {}.", "{}."),
-    SPREAD: (
-        "spread",
-        "Standard deviation over the clip of {}.",
-        "Greater: moves more, to whichever side.",
-    ),
-}
 _SEGMENTS = {
     "torso": "the line from the middle of the hip joints to the middle of the shoulders",
     "head": "the head’s upright axis",
@@ -74,47 +73,52 @@ _SEGMENTS = {
     "shin": "the line from knee to ankle",
     "foot": "the line from ankle to ball",
 }
-_FROM = {"torso": "upright", "head": "upright", "foot": "level"}
+_AT_ZERO = {"torso": "upright", "head": "upright", "foot": "level"}
 
 
 def _segment(name: str, direction: str) -> _Signal:
     side, _, part = name.partition("_") if name not in _SEGMENTS else ("", "", name)
-    line = f"{_SEGMENTS[part]}, on the {side}" if side else _SEGMENTS[part]
+    line = f"{_SEGMENTS[part]} on the {side}" if side else _SEGMENTS[part]
+    way = direction.replace("_", "–")
     title = name.replace("_", " ").capitalize()
+    titles = (f"{title}: angle {way}", f"{title}: swing {way}")
     if direction == LEFT_RIGHT:
-        what = f"the angle by which {line}, points out of the plane from back to front"
-        return _Signal(f"{title} left–right", "°", what, "Positive: its far end to the left")
-    start = _FROM.get(part, "hanging straight down")
-    end = "toes up" if part == "foot" else "its far end to the front"
-    what = f"the angle from {start} of {line}, seen from the side"
-    return _Signal(f"{title} front–back", "°", what, f"Positive: {end}")
+        what = f"the angle by which {line} points to the side"
+        return _Signal(titles, "°", what, "Positive: to the left.")
+    what = f"the angle of {line} to {_AT_ZERO.get(part, 'hanging straight down')}"
+    positive = "Positive: toes up." if part == "foot" else "Positive: forward."
+    return _Signal(titles, "°", f"{what}, seen from the side", positive)
 
 
-_CENTRE = "the centre of mass (average segment masses of de Leva 1996)"
-_SINGLE = {
-    "com_left_right": _Signal(
-        "Centre of mass left–right",
+def _centre(title: str, unit: str, definition: str, positive: str) -> _Signal:
+    titles = (f"Centre of mass: {title}", f"Centre of mass: changes of {title}")
+    return _Signal(titles, unit, f"the {definition}", positive)
+
+
+_CENTRES = {
+    "com_left_right": _centre(
+        "place left–right",
         "m",
-        f"the distance of {_CENTRE} to the side of its straight, even travel",
-        "Positive: to the left",
+        "distance of the centre of mass to the side of its straight, even travel",
+        "Positive: to the left.",
     ),
-    "com_position_vertical": _Signal(
-        "Centre of mass, height", "m", f"the height above the floor of {_CENTRE}", "Positive: up"
+    "com_position_vertical": _centre(
+        "height", "m", "height of the centre of mass above the floor", "Positive: higher."
     ),
-    "com_velocity_vertical": _Signal(
-        "Centre of mass, vertical velocity", "m/s", f"the velocity of {_CENTRE}", "Positive: up"
+    "com_velocity_vertical": _centre(
+        "velocity up–down", "m/s", "vertical velocity of the centre of mass", "Positive: up."
     ),
-    "com_velocity_front_back": _Signal(
-        "Centre of mass, forward velocity",
+    "com_velocity_front_back": _centre(
+        "velocity front–back",
         "m/s",
-        f"the velocity of {_CENTRE} along the heading",
-        "Positive: forward",
+        "velocity of the centre of mass along the heading",
+        "Positive: forward.",
     ),
-    "com_velocity_left_right": _Signal(
-        "Centre of mass, sideways velocity",
+    "com_velocity_left_right": _centre(
+        "velocity left–right",
         "m/s",
-        f"the velocity of {_CENTRE} across the heading",
-        "Positive: to the left",
+        "velocity of the centre of mass across the heading",
+        "Positive: to the left.",
     ),
 }
 STEP_WIDTH, STEP_LENGTH, LONGEST_STEP, DURATION = (
@@ -125,7 +129,7 @@ STEP_WIDTH, STEP_LENGTH, LONGEST_STEP, DURATION = (
 )
 _VALUES = {
     STEP_WIDTH: (
-        "Step length left–right (step width)",
+        "Step length left–right: step width",
         "m",
         "How far to its own side a foot is set down beside the other one; mean of the left and the "
         "right steps’ means, 0 without a step.",
@@ -139,13 +143,13 @@ _VALUES = {
         "Greater: longer steps; negative: backward.",
     ),
     LONGEST_STEP: (
-        "Step length front–back, longest step",
+        "Step length front–back: longest step",
         "m",
         "The longest single step along the heading; 0 without a step.",
         "Greater: a longer step.",
     ),
     DURATION: (
-        "Duration of the motion",
+        "Duration",
         "s",
         "How long the clip lasts; one cycle of a cyclic clip.",
         "Greater: slower.",
@@ -203,16 +207,13 @@ def _features() -> Iterator[Feature]:
                 title, unit, definition, positive = _VALUES[name]
                 yield Feature(name, title, group, unit, definition, positive)
                 continue
-            signal = _SINGLE.get(name) or _segment(*_split(name))
-            word, definition, positive = _STATISTICS[statistic]
-            yield Feature(
-                f"{name}_{statistic}",
-                f"{signal.title}, {word}",
-                group,
-                signal.unit,
-                definition.format(signal.definition),
-                positive.format(signal.positive),
-            )
+            signal = _CENTRES.get(name) or _segment(*_split(name))
+            title = signal.titles[statistic == SPREAD]
+            definition, positive = f"Mean over time of {signal.definition}.", signal.positive
+            if statistic == SPREAD:
+                definition = f"Standard deviation over time of {signal.definition}."
+                positive = "Greater: it moves more."
+            yield Feature(f"{name}_{statistic}", title, group, signal.unit, definition, positive)
 
 
 def _split(name: str) -> tuple[str, str]:

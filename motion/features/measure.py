@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from motion.centre_of_mass import SIDES, SegmentEnds, centre_of_mass
 from motion.clip import Clip
@@ -32,6 +31,7 @@ _LEFT, _UP, _FORWARD = 0, 1, 2
 _PAIRED = ("upper_arm", "forearm", "thigh", "shin", "foot")
 # An arm may be raised to the front until it points up and beyond, but hardly that far backward.
 _ARM_MIDDLE = np.radians(60.0)
+_SIDEWAYS = 0.25  # squared length seen from the side of a segment that points 60° to a side
 
 
 def features(clip: Clip) -> Array:
@@ -56,9 +56,9 @@ def _angles(view: View) -> dict[str, float]:
     found: dict[str, float] = {}
     for name, direction in _directions(view).items():
         along, out, middle = _seen_from_the_side(name, direction)
-        in_plane = along**2 + out**2
+        visible = np.minimum((along**2 + out**2) / _SIDEWAYS, 1.0)
         aside = np.arcsin(np.clip(direction[:, _LEFT], -1.0, 1.0))
-        front = _circular(view, np.arctan2(out, along), in_plane, middle)
+        front = _circular(view, np.arctan2(out, along), visible, middle)
         for way, (mean, spread) in (
             (FRONT_BACK, front),
             (LEFT_RIGHT, (float(view.mean(aside)), float(view.spread(aside)))),
@@ -70,7 +70,7 @@ def _angles(view: View) -> dict[str, float]:
 
 def _seen_from_the_side(name: str, direction: Array) -> tuple[Array, Array, float]:
     """A direction's part along where its angle is 0, its part towards 90°, and a usual angle."""
-    left, up, forward = direction.T
+    _, up, forward = direction.T
     if name in ("torso", "head"):
         return up, forward, 0.0
     if name.endswith("foot"):
@@ -81,9 +81,9 @@ def _seen_from_the_side(name: str, direction: Array) -> tuple[Array, Array, floa
 def _circular(view: View, angles: Array, visible: Array, middle: float) -> tuple[float, float]:
     """Mean and spread (rad) of angles (T,) that may pass half a turn.
 
-    A segment that points to the side has no angle seen from the side: frames count by the square
-    of how long the segment looks from there (T,), so an arm held sideways does not swing.
-    The mean is at most half a turn from the ``middle``.
+    A segment that points to the side has no angle seen from the side: such frames count less
+    (``visible``, (T,) in [0, 1]), so an arm held sideways does not swing. The mean is at most half
+    a turn from the ``middle``.
     """
     weights = view.weights * visible
     total = float(weights.sum())
@@ -139,7 +139,7 @@ def _unit(vectors: Array) -> Array:
 def _centre(view: View) -> dict[str, float]:
     """Features of the centre of mass, metres and seconds."""
     whole = view.turned(centre_of_mass(view.clip.skeleton, view.pose))
-    places, velocity = whole[view.part], _velocity(whole, view.clip.frame_time)[view.part]
+    places, velocity = whole[view.part], view.velocity(whole)[view.part]
     duration = view.clip.duration
     mean = (places[-1] - places[0]) / duration if duration else np.zeros(3)
     even = np.arange(len(places)) * view.clip.frame_time * mean[_LEFT]
@@ -152,15 +152,6 @@ def _centre(view: View) -> dict[str, float]:
         f"com_velocity_{FRONT_BACK}_{MEAN}": float(mean[_FORWARD]),
         f"com_velocity_{FRONT_BACK}_{SPREAD}": float(view.spread(velocity[:, _FORWARD])),
     }
-
-
-def _velocity(places: Array, frame_time: float) -> Array:
-    """(T, 3) m/s along a cubic spline: differences of frames lose what is fast at low rates."""
-    if len(places) < 2:
-        return np.zeros_like(places)
-    return CubicSpline(np.arange(len(places)) * frame_time, places)(
-        np.arange(len(places)) * frame_time, 1
-    )
 
 
 def _step_values(steps: list[Step]) -> dict[str, float]:

@@ -68,7 +68,7 @@ def find_steps(view: View) -> list[Step]:
 def _within(view: View, frame: int) -> bool:
     """Whether a foot that stands from a frame on was set down in the clip."""
     if view.clip.cyclic:
-        return view.part.start <= frame < view.part.stop - 1
+        return view.once.start <= frame < view.once.stop
     return frame > 0  # one that stands already in the first frame came down before
 
 
@@ -79,7 +79,7 @@ def _plants(view: View) -> Iterator[_Plant]:
         for plant in _stretches(foot, view.clip.frame_time):
             on_it = foot.planted[-1, plant]
             still = places[plant][on_it] if on_it.any() else places[plant]
-            yield _Plant(foot.side, plant.start, plant.stop, still.mean(axis=0))
+            yield _Plant(foot.side, plant.start, plant.stop, np.median(still, axis=0))
 
 
 def _stretches(foot: Foot, frame_time: float) -> Iterator[slice]:
