@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
 
 from motion.blending.example import Example, turned
@@ -64,23 +64,30 @@ class Blender:
         feet = zip(*(example.feet for example in self._examples), strict=True)
         # For each foot and point of its sole, the examples' offsets (N, 3).
         self._soles = [
-            [np.array([p.offset for p in point]) for point in zip(*(f.points for f in foot))]
+            [
+                np.array([p.offset for p in point])
+                for point in zip(*(f.points for f in foot), strict=True)
+            ]
             for foot in feet
         ]
         self._order = common_order([example.phases for example in self._examples])
         self._events = self._events_of(range(len(clips)), self._order)
         self._uneven = any(set(e.phases) != set(self._order) for e in self._examples)
 
-    def keytimes(self, weights: Array) -> dict[str, float]:
+    def frames(self, weights: ArrayLike) -> int:
+        """Number of frames that a blend would have."""
+        return self._spans_of(*self._chosen(weights)) + 1
+
+    def keytimes(self, weights: ArrayLike) -> dict[str, float]:
         """Event to seconds from the blend's first frame, of the events that order its time."""
         chosen, shares = self._chosen(weights)
         names, events = self._common(chosen)
-        frames = self._frames(chosen, shares)
+        frames = self._spans_of(chosen, shares)
         duration = frames * float(self._steps[chosen].min())
         means = (shares @ events) % 1.0 if self.cyclic else shares @ events
         return dict(zip(names, (means * duration).tolist(), strict=True))
 
-    def blend(self, weights: Array) -> Clip:
+    def blend(self, weights: ArrayLike) -> Clip:
         """The clip between the examples.
 
         It has the shortest frame time of the examples that take part, and as many frames as come
@@ -93,7 +100,7 @@ class Blender:
             MotionError: if the weights are none of that, or rotations cancel each other out.
         """
         chosen, shares = self._chosen(weights)
-        frames = self._frames(chosen, shares)
+        frames = self._spans_of(chosen, shares)
         at = np.arange(frames if self.cyclic else frames + 1) / frames
         _, events = self._common(chosen)
         when = warped(at, events, shares, cyclic=self.cyclic)
@@ -113,8 +120,8 @@ class Blender:
         clip = Clip(self.skeleton, root, rotations, float(self._steps[chosen].min()), self.cyclic)
         return turned(clip, float(np.angle(shares @ np.exp(1j * self._turned[chosen]))))
 
-    def _chosen(self, weights: Array) -> tuple[NDArray[np.intp], Array]:
-        weights = np.asarray(weights, dtype=float)
+    def _chosen(self, weights: ArrayLike) -> tuple[NDArray[np.intp], Array]:
+        weights = np.array(weights, dtype=float)
         if weights.shape != (len(self.clips),):
             raise MotionError(f"{len(self.clips)} clips need as many weights, not {weights.shape}.")
         if not np.isfinite(weights).all() or weights.min() < 0.0 or weights.sum() <= 0.0:
@@ -123,7 +130,7 @@ class Blender:
         chosen = np.flatnonzero(shares > _NONE)
         return chosen, shares[chosen] / shares[chosen].sum()
 
-    def _frames(self, chosen: NDArray[np.intp], shares: Array) -> int:
+    def _spans_of(self, chosen: NDArray[np.intp], shares: Array) -> int:
         duration = float(shares @ self._durations[chosen])
         return max(1, round(duration / float(self._steps[chosen].min())))
 
@@ -202,7 +209,7 @@ def _check(clips: Sequence[Clip], keytimes: Sequence[Mapping[str, float]] | None
                 f"Clip 1 {one} and clip {place} {other}: cut one cycle out of those that are none."
             )
     names = [set(moments) for moments in keytimes or ()]
-    for place, own in enumerate(names[1:], start=2):
+    for place in range(2, len(names) + 1):
         if any(names) and not set.intersection(*names[:place]):
             raise MotionError(
                 f"Clip {place} has no keytime in common with those before it: "

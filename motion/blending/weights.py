@@ -131,7 +131,7 @@ def _radial_part(places: Array, nearest: Array, left: Array) -> tuple[Array, Arr
     for times in np.linspace(_WIDEST, _NARROWEST, _STEPS)[:-1]:
         values = _spline(distances / (times * nearest))  # example, basis
         if np.linalg.cond(values) < 1e3:
-            radial = np.linalg.solve(values, left.T).T
+            radial = np.asarray(np.linalg.solve(values, left.T).T, dtype=np.float64)
             if np.abs(radial).sum(axis=0).max() <= calm:
                 return radial, times * nearest
     return left, _NARROWEST * nearest

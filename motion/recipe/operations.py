@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from motion.recipe.blends import BLEND
+from motion.recipe.cycles import CYCLE
 from motion.recipe.examples import EMOTION, FOURIER
 from motion.recipe.feet import REPAIR_FEET
 from motion.recipe.operation import Operation
@@ -15,6 +17,6 @@ OPERATIONS: Mapping[str, Operation] = {
     operation.key: operation
     for operation in (
         GRID, POSTURE, PATH_LENGTH, BANDS, TIMING, CONTACTS, VARY, TEMPO, RESAMPLE, CUT,
-        REPAIR_FEET, WARP, WARP_TIME, WAVESHAPE, FOURIER, EMOTION,
+        REPAIR_FEET, WARP, WARP_TIME, WAVESHAPE, FOURIER, EMOTION, BLEND, CYCLE,
     )
 }  # fmt: skip

@@ -95,6 +95,8 @@ def _rows(schema: Mapping[str, Any], path: str) -> Iterator[str]:
         yield f"| `{place}` | {what} | {_range(part)} | {default} | {neutral} |"
         if part.get("items", {}).get("properties"):
             yield from _rows(part["items"], f"{place}[].")
+        if part.get("properties"):
+            yield from _rows(part, f"{place}.")
 
 
 def _range(part: Mapping[str, Any]) -> str:
@@ -112,6 +114,8 @@ def _range(part: Mapping[str, Any]) -> str:
     if "items" in part:
         inner = "" if "properties" in part["items"] else f" of {_range(part['items'])}"
         return f"{part['minItems']} to {part['maxItems']} entries{inner}"
+    if "properties" in part:
+        return f"up to {len(part['properties'])} values"
     return str(part["type"])
 
 

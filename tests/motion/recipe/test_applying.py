@@ -39,8 +39,10 @@ EXAMPLES = {
     "waveshape@1": {"limits": [{"role": "left_forearm", "axis": "x", "low": -20, "high": 20}]},
     "fourier@1": {"clip": OTHER_CYCLE, "amount": 0.5},
     "emotion@1": {"neutral": CYCLE, "emotional": OTHER_CYCLE, "amount": 0.5},
+    "blend@1": {"examples": [{"clip": CYCLE, "weight": 1}, {"clip": OTHER_CYCLE, "weight": 0.5}]},
+    "cycle@1": {"start": 0.1, "end": 0.9},
 }
-SETTINGS = {"resample@1", "cut@1", "repair_feet@1"}  # which have no amount
+SETTINGS = {"resample@1", "cut@1", "repair_feet@1", "blend@1", "cycle@1"}  # no amount
 
 
 def recipe(*keys):
@@ -81,7 +83,7 @@ def test_no_steps_change_nothing(short):
 
 @pytest.mark.parametrize("key", EXAMPLES)
 def test_every_operation_gives_the_same_bits_again(key, short, cycle, materials):
-    source = cycle if key == "fourier@1" else short
+    source = cycle if key in ("fourier@1", "blend@1") else short
     first = recipe(key).apply(source, materials)
     again = Recipe.parse(recipe(key).to_list()).apply(source, materials)
     assert first.content_hash == again.content_hash
@@ -91,7 +93,7 @@ def test_every_operation_gives_the_same_bits_again(key, short, cycle, materials)
 
 @pytest.mark.parametrize("key", [key for key in EXAMPLES if key not in SETTINGS])
 def test_eased_off_to_nothing_every_operation_does_nothing(key, short, cycle, materials):
-    source = cycle if key == "fourier@1" else short
+    source = cycle if key in ("fourier@1", "blend@1") else short
     assert recipe(key).eased(0.0).apply(source, materials).content_hash == source.content_hash
 
 
