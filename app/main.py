@@ -36,6 +36,7 @@ from app.routes import (
     research_auth,
     sessions_api,
     sets,
+    spaces,
     studies_api,
     studio,
 )
@@ -82,6 +83,9 @@ ROUTERS = (
     batches.router,
     sets.router,
     studio.router,
+    spaces.router,
+    spaces.api,
+    spaces.keytimes_api,
 )
 
 

@@ -45,12 +45,15 @@ class Parameter(Part):
     """A pair of adjectives, or a motion feature: where every example lies between its ends.
 
     Attributes:
+        title, about: of a feature, its name and what it measures; a pair is named by its ends.
         left, right: what 0 and 1 look like.
         unit, lowest, highest: of a feature, what 0 and 1 stand for.
         values: one for each example, in their order.
     """
 
     id: Name
+    title: Words | None = None
+    about: str | None = None
     left: Words
     right: Words
     unit: str | None = None

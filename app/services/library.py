@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError, NotFoundError, SignInNeededError
-from app.persistence import blobs, clips, jobs
+from app.persistence import blobs, clips, jobs, spaces
 from app.persistence.models import ClipRecord
 from app.schemas.library import ClipDetail, ClipList, ClipView, Provenance
 from app.services.engine_version import engine_version
@@ -24,6 +24,11 @@ NEEDS = (
         "Take it out of the study first; answered clips stay.",
     ),
     (clips.is_in_graph, "A motion graph plays this clip.", "Take it out of the graph first."),
+    (
+        spaces.blend,
+        "An authoring space blends this clip.",
+        "Spaces stay as they are, so that what was made in them can be made again.",
+    ),
     (jobs.refer_to, "A job that is not done yet needs this clip.", "Wait for it, or cancel it."),
 )
 
@@ -121,7 +126,7 @@ def delete(db: Session, clip_id: str) -> None:
     """Delete an imported or edited clip and its files, unless something needs it.
 
     Raises:
-        ConflictError: it is a sample, or a study, a graph, a job or other clips need it.
+        ConflictError: it is a sample, or a study, a graph, a space, a job or other clips need it.
     """
     clips.lock(db, clip_id)
     clip = find(db, clip_id, signed_in=True)
