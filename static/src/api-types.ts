@@ -40,6 +40,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/sessions/{token}/steps/{index}/motion": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Show Motion
+         * @description The motion that the sliders of a step make, where one of the steps that match a target.
+         */
+        post: operations["show_motion"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/sessions/{token}/complete": {
         parameters: {
             query?: never;
@@ -765,6 +785,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/studies/{slug}/impressions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Impressions
+         * @description Which pairs of adjectives say something, and which of them go together.
+         *
+         *     Thresholds and cut that are given stand in for the saved ones; nothing is stored.
+         */
+        get: operations["read_impressions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/impressions/{part}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Choose Impressions
+         * @description Save thresholds, cut, names and moves by hand. What changed is written down.
+         */
+        put: operations["choose_impressions"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/studies": {
         parameters: {
             query?: never;
@@ -1004,6 +1066,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/studies/{slug}/preview/steps/{index}/motion": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Motion
+         * @description The motion that the sliders of a preview's step make; `part` as the preview was asked for.
+         */
+        post: operations["preview_motion"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/study-templates": {
         parameters: {
             query?: never;
@@ -1126,6 +1208,195 @@ export interface paths {
          * @description Stop a job. What it has made stays; one that has ended stays as it is.
          */
         delete: operations["cancel_job"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Spaces
+         * @description All authoring spaces, newest first.
+         */
+        get: operations["list_spaces"];
+        put?: never;
+        /**
+         * Create Space
+         * @description Make a space of clips that nobody judged; its sliders are motion features.
+         *
+         *     The clips have one skeleton, and all of them are cycles or none.
+         */
+        post: operations["create_space"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces/{space_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Show Space
+         * @description A space with all its numbers.
+         */
+        get: operations["show_space"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces/{space_id}/weights": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Weigh Point
+         * @description The examples' weights at a point. Nothing is stored.
+         */
+        post: operations["weigh_point"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces/{space_id}/motion": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Move Point
+         * @description The motion at a point as GLB without a figure. Nothing is stored.
+         */
+        post: operations["move_point"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces/{space_id}/recipe": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Write Recipe
+         * @description A point as a recipe: `POST /api/v1/clips` makes the clip, which then needs no space.
+         */
+        post: operations["write_recipe"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces/{space_id}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Space Version
+         * @description Make the next version, with other keytimes or with clips that nobody judged.
+         *
+         *     The impressions of joining clips are predicted from their motion. Pairs that cannot be
+         *     predicted are left out of the new version, and its note says so.
+         */
+        post: operations["create_space_version"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces/{space_id}/predictions/{clip_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Predict Clip
+         * @description The impressions that a clip would have in a space, predicted from its motion.
+         */
+        get: operations["predict_clip"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/spaces/{space_id}/targets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Draw Targets
+         * @description Motions to be matched: far from each other, and the same for the same seed.
+         */
+        post: operations["draw_targets"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/{clip_id}/keytimes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Clip Keytimes
+         * @description When a clip's feet strike and leave the floor; nothing for one that is no cycle.
+         */
+        get: operations["clip_keytimes"];
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -1395,22 +1666,45 @@ export interface components {
         };
         /**
          * Choices
-         * @description What was chosen; of `correct`, how often the choice was right. `chance`: by guessing.
+         * @description What a researcher chose in the analysis of a part.
+         *
+         *     Attributes:
+         *         least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above. The defaults
+         *             are for answers from −2 to 2 and grow with the reach of others.
+         *         clusters: into how many Ward's tree is cut.
+         *         names: of the clusters, by the id of the pair that stands first in each.
+         *         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
          */
-        Choices: {
+        "Choices-Input": {
             /**
-             * Id
-             * @enum {string}
+             * Least Peak
+             * @default 1
              */
-            id: "choice" | "correct";
-            /** Title */
-            title: string;
-            /** Chance */
-            chance: number | null;
-            /** Rows */
-            rows: components["schemas"]["Share"][];
-            /** Sentence */
-            sentence: string;
+            least_peak: number;
+            /**
+             * Most Spread
+             * @default 0.85
+             */
+            most_spread: number;
+            /**
+             * Clusters
+             * @default 4
+             */
+            clusters: number;
+            /**
+             * Names
+             * @default {}
+             */
+            names: {
+                [key: string]: string;
+            };
+            /**
+             * Moved
+             * @default {}
+             */
+            moved: {
+                [key: string]: string;
+            };
         };
         /**
          * Clip
@@ -1690,6 +1984,27 @@ export interface components {
             recipe_source: string | null;
         };
         /**
+         * Cluster
+         * @description Pairs that go together.
+         *
+         *     Attributes:
+         *         key: the pair that stands first in it, by which it is known.
+         *         members: pair ids in the order of the tree's leaves, those moved into it last.
+         *         values: A′, the mean of its pairs for each clip, 0 … 1; None where a pair has no answer.
+         */
+        Cluster: {
+            /** Key */
+            key: string;
+            /** Title */
+            title: string;
+            /** Named */
+            named: boolean;
+            /** Members */
+            members: string[];
+            /** Values */
+            values: (number | null)[];
+        };
+        /**
          * Completion
          * @description Every answer has arrived.
          */
@@ -1899,6 +2214,46 @@ export interface components {
          */
         ErrorResponse: {
             error: components["schemas"]["ErrorDetail"];
+        };
+        /**
+         * Example
+         * @description An example motion of a space.
+         *
+         *     Attributes:
+         *         clip: its id in the library.
+         *         keytimes: event to seconds from the first frame; empty for an even time-warp.
+         *         predicted: nobody rated it; its impressions were predicted from its motion.
+         */
+        Example: {
+            /** Clip */
+            clip: string;
+            /** Name */
+            name: string;
+            /** Keytimes */
+            keytimes?: {
+                [key: string]: number;
+            };
+            /**
+             * Predicted
+             * @default false
+             */
+            predicted: boolean;
+        };
+        /**
+         * ExampleClip
+         * @description An example as the studio shows it.
+         */
+        ExampleClip: {
+            /** Clip */
+            clip: string;
+            /** Name */
+            name: string;
+            /** Glb Url */
+            glb_url: string;
+            /** Figure Url */
+            figure_url: string | null;
+            /** Duration */
+            duration: number;
         };
         /**
          * FigureView
@@ -2272,6 +2627,69 @@ export interface components {
             already_there: boolean;
         };
         /**
+         * Impressions
+         * @description The whole analysis of a part.
+         *
+         *     Attributes:
+         *         leaves: the kept pairs in the order of the tree; merges refer to them by place in `kept`.
+         *         kept: ids of the kept pairs, in the order of the part.
+         *         matrix: A, clips × kept pairs (in `leaves` order), 0 … 1; None where nobody rated.
+         *         means, spreads: clips × all pairs in the part's order; None where nobody rated.
+         *         reach: the outermost step; answers lie in −reach … reach.
+         *         sentence: what came out, in words.
+         *         notes: what of the choices or the answers could not be taken in, a sentence each.
+         *         problem: why there are no clusters yet; None if there are.
+         */
+        Impressions: {
+            /** Slug */
+            slug: string;
+            /** Title */
+            title: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "participant" | "simulated";
+            part: components["schemas"]["PartName"];
+            /** Parts */
+            parts: components["schemas"]["PartName"][];
+            /** Reach */
+            reach: number;
+            /** Participants */
+            participants: number;
+            /** Simulated */
+            simulated: number;
+            choices: components["schemas"]["app__schemas__impressions__Choices"];
+            /** Saved At */
+            saved_at: string | null;
+            /** Clips */
+            clips: components["schemas"]["Rated"][];
+            /** Pairs */
+            pairs: components["schemas"]["Pair"][];
+            /** Kept */
+            kept: string[];
+            /** Leaves */
+            leaves: string[];
+            /** Merges */
+            merges: components["schemas"]["Merge"][];
+            /** Matrix */
+            matrix: (number | null)[][];
+            /** Means */
+            means: (number | null)[][];
+            /** Spreads */
+            spreads: (number | null)[][];
+            /** Clusters */
+            clusters: components["schemas"]["Cluster"][];
+            /** Sentence */
+            sentence: string;
+            /** Notes */
+            notes: string[];
+            /** Problem */
+            problem: string | null;
+            /** May Edit */
+            may_edit: boolean;
+        };
+        /**
          * Invitation
          * @description A personal link: one participant each.
          */
@@ -2425,6 +2843,16 @@ export interface components {
             started_at: string | null;
             /** Ended At */
             ended_at: string | null;
+        };
+        /**
+         * KeytimesView
+         * @description The events found in a clip: name to seconds from its first frame.
+         */
+        KeytimesView: {
+            /** Keytimes */
+            keytimes: {
+                [key: string]: number;
+            };
         };
         /**
          * Label
@@ -2621,6 +3049,25 @@ export interface components {
             role: "owner" | "editor" | "viewer";
         };
         /**
+         * Merge
+         * @description Two branches of the tree become one. Leaves are numbered from 0, then merges.
+         *
+         *     Attributes:
+         *         height: √(2ΔE), as SciPy and R (`ward.D2`) give it; increase: ΔE of eq. 4.
+         */
+        Merge: {
+            /** Left */
+            left: number;
+            /** Right */
+            right: number;
+            /** Height */
+            height: number;
+            /** Increase */
+            increase: number;
+            /** Size */
+            size: number;
+        };
+        /**
          * Motion
          * @description A motion in numbers: metres, seconds, local rotations as quaternions w, x, y, z.
          *
@@ -2656,6 +3103,35 @@ export interface components {
             ][][];
         };
         /**
+         * Moved
+         * @description Where the sliders of a match stand.
+         */
+        Moved: {
+            /** Values */
+            values: {
+                [key: string]: number;
+            };
+        };
+        /**
+         * NewSpace
+         * @description A space made from clips alone, without a questionnaire: its sliders are motion features.
+         */
+        NewSpace: {
+            /** Name */
+            name: string;
+            /** Clips */
+            clips: string[];
+            /**
+             * Keytimes
+             * @default {}
+             */
+            keytimes: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
+        };
+        /**
          * NewStudy
          * @description What a new study is made from: a template, a definition, or a study file; else it is empty.
          *
@@ -2677,6 +3153,30 @@ export interface components {
             file?: components["schemas"]["UploadedFile"] | null;
             /** Title */
             title?: string | null;
+        };
+        /**
+         * NewVersion
+         * @description What a space's next version changes.
+         *
+         *     Attributes:
+         *         keytimes: clip id to its events, all of them.
+         *         join: clips that nobody rated; their impressions are predicted from their motion.
+         */
+        NewVersion: {
+            /**
+             * Keytimes
+             * @default {}
+             */
+            keytimes: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
+            /**
+             * Join
+             * @default []
+             */
+            join: string[];
         };
         /**
          * Note
@@ -2742,6 +3242,104 @@ export interface components {
             parameters: {
                 [key: string]: unknown;
             };
+        };
+        /**
+         * Origin
+         * @description What a space's numbers come from.
+         *
+         *     Attributes:
+         *         study, part, versions: whose answers; versions by their hashes.
+         *         kind: whose answers: people's, or those of simulated raters.
+         *         participants: how many were analysed.
+         *         least_peak, most_spread: which pairs were kept.
+         *         moved: pairs whose cluster was chosen by hand.
+         *         before: the version of the space that this one was made from.
+         *         note: what else there is to know, in a sentence.
+         */
+        Origin: {
+            /** Study */
+            study?: string | null;
+            /** Part */
+            part?: string | null;
+            /**
+             * Versions
+             * @default []
+             */
+            versions: string[];
+            /** Kind */
+            kind?: ("participant" | "simulated") | null;
+            /** Participants */
+            participants?: number | null;
+            /** Least Peak */
+            least_peak?: number | null;
+            /** Most Spread */
+            most_spread?: number | null;
+            /**
+             * Moved
+             * @default []
+             */
+            moved: string[];
+            /** Before */
+            before?: string | null;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * Pair
+         * @description A pair of adjectives.
+         *
+         *     Attributes:
+         *         peak: μ*, the greatest mean of any clip, without its sign.
+         *         spread: σ̄, the mean over clips of the raters' sample standard deviation; None where no clip
+         *             has two raters.
+         *         dropped: why it is left out, in a sentence; None for a kept one.
+         *         cluster: index of its cluster; None for a dropped one.
+         */
+        Pair: {
+            /** Id */
+            id: string;
+            left: components["schemas"]["Words"];
+            right: components["schemas"]["Words"];
+            /** Peak */
+            peak: number | null;
+            /** Spread */
+            spread: number | null;
+            /** Dropped */
+            dropped: string | null;
+            /** Cluster */
+            cluster: number | null;
+            /** Moved */
+            moved: boolean;
+        };
+        /**
+         * Parameter
+         * @description A pair of adjectives, or a motion feature: where every example lies between its ends.
+         *
+         *     Attributes:
+         *         title, about: of a feature, its name and what it measures; a pair is named by its ends.
+         *         left, right: what 0 and 1 look like.
+         *         unit, lowest, highest: of a feature, what 0 and 1 stand for.
+         *         values: one for each example, in their order.
+         */
+        Parameter: {
+            /** Id */
+            id: string;
+            title?: components["schemas"]["Words"] | null;
+            /** About */
+            about?: string | null;
+            left: components["schemas"]["Words"];
+            right: components["schemas"]["Words"];
+            /** Unit */
+            unit?: string | null;
+            /** Lowest */
+            lowest?: number | null;
+            /** Highest */
+            highest?: number | null;
+            /** Values */
+            values: number[];
         };
         /**
          * PartName
@@ -2939,6 +3537,27 @@ export interface components {
             via?: components["schemas"]["TransitionKey"] | null;
         };
         /**
+         * Point
+         * @description What an author wants.
+         *
+         *     Attributes:
+         *         interface: what the values are about.
+         *         values: slider's or example's id to its value; for adjectives and features, those not named
+         *             take no part: only the named sliders span the space. For weights, an example's clip id
+         *             to its weight; those not named weigh nothing.
+         */
+        Point: {
+            /**
+             * Interface
+             * @enum {string}
+             */
+            interface: "adjectives" | "features" | "weights";
+            /** Values */
+            values: {
+                [key: string]: number;
+            };
+        };
+        /**
          * PoleRow
          * @description One row of "Is every quality seen?": a pole's best clip against its body's clips.
          *
@@ -3056,6 +3675,49 @@ export interface components {
             };
         };
         /**
+         * PredictedParameter
+         * @description What a pair's impression is predicted to be.
+         *
+         *     Attributes:
+         *         value, low, high: the prediction and its 95 % interval, 0 to 1; None where refused.
+         *         error, error_of_mean: root mean square of leaving one out, and of always saying the mean.
+         *         sentence: how good it is, or why it is refused.
+         */
+        PredictedParameter: {
+            /** Id */
+            id: string;
+            left: components["schemas"]["Words"];
+            right: components["schemas"]["Words"];
+            /** Refused */
+            refused: boolean;
+            /** Value */
+            value: number | null;
+            /** Low */
+            low: number | null;
+            /** High */
+            high: number | null;
+            /** Error */
+            error: number;
+            /** Error Of Mean */
+            error_of_mean: number;
+            /** Sentence */
+            sentence: string;
+        };
+        /**
+         * Prediction
+         * @description The impressions that a clip would have in a space.
+         */
+        Prediction: {
+            /** Clip */
+            clip: string;
+            /** Parameters */
+            parameters: components["schemas"]["PredictedParameter"][];
+            /** Can Join */
+            can_join: boolean;
+            /** Sentence */
+            sentence: string;
+        };
+        /**
          * PresetList
          * @description The recipes that come with the server.
          */
@@ -3110,6 +3772,23 @@ export interface components {
             pole: string;
             /** Operations */
             operations: components["schemas"]["Step"][];
+        };
+        /**
+         * Primary
+         * @description A cluster of parameters as one slider.
+         *
+         *     Attributes:
+         *         members: the parameters that it is the mean of.
+         *         values: one for each example, in their order.
+         */
+        Primary: {
+            /** Id */
+            id: string;
+            title: components["schemas"]["Words"];
+            /** Members */
+            members: string[];
+            /** Values */
+            values: number[];
         };
         /**
          * Problem
@@ -3197,6 +3876,20 @@ export interface components {
             clean: boolean;
             /** Findings */
             findings: components["schemas"]["Finding"][];
+        };
+        /**
+         * Rated
+         * @description A clip of the study.
+         */
+        Rated: {
+            /** Clip */
+            clip: string;
+            /** Name */
+            name: string;
+            /** Label */
+            label: string;
+            /** Raters */
+            raters: number;
         };
         /**
          * Reason
@@ -3498,12 +4191,147 @@ export interface components {
             high: number | null;
         };
         /**
+         * Sliders
+         * @description What an author can move: the primary sliders, and every single parameter besides.
+         */
+        Sliders: {
+            /** Primary */
+            primary: components["schemas"]["Primary"][];
+            /** Parameters */
+            parameters: components["schemas"]["Parameter"][];
+        };
+        /**
          * Sona
          * @description Participants come with `?id=`; `credit_url` grants the credit, `{id}` in it is theirs.
          */
         Sona: {
             /** Credit Url */
             credit_url: string;
+        };
+        /**
+         * SpaceDefinition
+         * @description A whole space. Without a questionnaire there are no adjectives.
+         */
+        SpaceDefinition: {
+            /**
+             * Manner
+             * @default 1
+             * @constant
+             */
+            manner: 1;
+            /** Title */
+            title: string;
+            /** Examples */
+            examples: components["schemas"]["Example"][];
+            adjectives?: components["schemas"]["Sliders"] | null;
+            features: components["schemas"]["Sliders"];
+            /**
+             * @default {
+             *       "versions": [],
+             *       "moved": [],
+             *       "note": ""
+             *     }
+             */
+            origin: components["schemas"]["Origin"];
+        };
+        /**
+         * SpaceDetail
+         * @description A space with all its numbers.
+         *
+         *     Attributes:
+         *         clips: the examples' files, in their order.
+         *         notes: of each interface, what there is to know about its examples' places, in sentences.
+         */
+        SpaceDetail: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Number */
+            number: number;
+            /** Newest */
+            newest: boolean;
+            /** Examples */
+            examples: number;
+            /** Interfaces */
+            interfaces: ("adjectives" | "features" | "weights")[];
+            /** Simulated */
+            simulated: boolean;
+            /** Study */
+            study: string | null;
+            /** Made By */
+            made_by: string | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            definition: components["schemas"]["SpaceDefinition"];
+            /** Clips */
+            clips: components["schemas"]["ExampleClip"][];
+            /** Notes */
+            notes: {
+                [key: string]: string[];
+            };
+        };
+        /**
+         * SpaceLine
+         * @description A space in the list.
+         *
+         *     Attributes:
+         *         number: 1, 2, … of the spaces with the same name.
+         *         newest: whether it is the newest of them.
+         */
+        SpaceLine: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Number */
+            number: number;
+            /** Newest */
+            newest: boolean;
+            /** Examples */
+            examples: number;
+            /** Interfaces */
+            interfaces: ("adjectives" | "features" | "weights")[];
+            /** Simulated */
+            simulated: boolean;
+            /** Study */
+            study: string | null;
+            /** Made By */
+            made_by: string | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * SpaceList
+         * @description Every space, newest first.
+         */
+        SpaceList: {
+            /** Spaces */
+            spaces: components["schemas"]["SpaceLine"][];
+        };
+        /**
+         * SpaceRecipe
+         * @description A point as an ordinary recipe: `source` and `operations` as every edit has them.
+         */
+        SpaceRecipe: {
+            /** Weights */
+            weights: number[];
+            /** Outside */
+            outside: number;
+            /** Notes */
+            notes: string[];
+            /** Source */
+            source: string;
+            /** Operations */
+            operations: {
+                [key: string]: unknown;
+            }[];
         };
         /**
          * StateChange
@@ -3548,6 +4376,8 @@ export interface components {
          *         reference: the figure to compare with, in red.
          *         instruction: what an attention check says to answer.
          *         scales: the ids of the scales in the order in which they stand; null: as in the part.
+         *         interface, seen: of `match`, which sliders make the motion, and whether it is seen; a guess
+         *             has no clock.
          */
         StepView: {
             /** Index */
@@ -3558,7 +4388,7 @@ export interface components {
              * Kind
              * @enum {string}
              */
-            kind: "semantic_differential" | "unipolar" | "likert" | "analogue" | "choose" | "ab" | "abx" | "parallel" | "ranking" | "free_text" | "form" | "instructions" | "break" | "comment" | "debriefing";
+            kind: "semantic_differential" | "unipolar" | "likert" | "analogue" | "choose" | "ab" | "abx" | "parallel" | "ranking" | "free_text" | "match" | "form" | "instructions" | "break" | "comment" | "debriefing";
             /** Figures */
             figures: components["schemas"]["FigureView"][];
             reference?: components["schemas"]["FigureView"] | null;
@@ -3566,6 +4396,10 @@ export interface components {
             instruction?: string | null;
             /** Scales */
             scales?: string[] | null;
+            /** Interface */
+            interface?: ("adjectives" | "features" | "weights") | null;
+            /** Seen */
+            seen?: boolean | null;
         };
         /**
          * StudyCounts
@@ -3726,7 +4560,7 @@ export interface components {
             /** Axes */
             axes: components["schemas"]["Axis"][];
             /** Choices */
-            choices: components["schemas"]["Choices"][];
+            choices: components["schemas"]["app__schemas__results__Choices"][];
             /** Poles */
             poles: components["schemas"]["PoleRow"][];
             /** Texts */
@@ -3767,6 +4601,58 @@ export interface components {
             number: string;
             /** Rule */
             rule: string;
+        };
+        /**
+         * Target
+         * @description A drawn target, and the point that it was drawn at.
+         */
+        Target: {
+            /** Weights */
+            weights: number[];
+            /** Outside */
+            outside: number;
+            /** Notes */
+            notes: string[];
+            /** Source */
+            source: string;
+            /** Operations */
+            operations: {
+                [key: string]: unknown;
+            }[];
+            /** Name */
+            name: string;
+            /** Values */
+            values: {
+                [key: string]: number;
+            };
+        };
+        /**
+         * TargetList
+         * @description Targets in the order in which they were drawn.
+         */
+        TargetList: {
+            /** Targets */
+            targets: components["schemas"]["Target"][];
+        };
+        /**
+         * TargetRequest
+         * @description Motions to be matched, drawn at random from a space's primary adjectives.
+         *
+         *     Attributes:
+         *         count: how many; the drawn ones lie far from each other.
+         *         seed: the same number, the same targets.
+         */
+        TargetRequest: {
+            /**
+             * Count
+             * @default 5
+             */
+            count: number;
+            /**
+             * Seed
+             * @default 1
+             */
+            seed: number;
         };
         /**
          * TemplateLine
@@ -3902,6 +4788,7 @@ export interface components {
          *         camera: how the view was turned, as [ms since the figures came, azimuth and elevation in
          *             degrees, zoom]; left out where it stayed as it was.
          *         start: sliders that showed a position before they were touched, and which.
+         *         path: every move of a slider, as [ms since the figures came, slider, position 0 … 1].
          */
         ViewingRecord: {
             /** Plays */
@@ -3932,6 +4819,12 @@ export interface components {
             start?: {
                 [key: string]: number;
             } | null;
+            /** Path */
+            path?: [
+                number,
+                string,
+                number
+            ][] | null;
         };
         /**
          * Viewport
@@ -3944,6 +4837,92 @@ export interface components {
             height: number;
             /** Pixel Ratio */
             pixel_ratio: number;
+        };
+        /**
+         * Weighed
+         * @description What a point means.
+         *
+         *     Attributes:
+         *         weights: of each example, in the space's order; their sum is 1.
+         *         outside: how far the point lies outside of what the examples span, in slider lengths; 0
+         *             within.
+         *         notes: what there is to know, in sentences.
+         */
+        Weighed: {
+            /** Weights */
+            weights: number[];
+            /** Outside */
+            outside: number;
+            /** Notes */
+            notes: string[];
+        };
+        /**
+         * Words
+         * @description A text: one for all languages, or one for each (`{en: …, fi: …, ja: …}`).
+         */
+        Words: string | {
+            [key: string]: string;
+        };
+        /**
+         * Choices
+         * @description What a researcher chose in the analysis of a part.
+         *
+         *     Attributes:
+         *         least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above. The defaults
+         *             are for answers from −2 to 2 and grow with the reach of others.
+         *         clusters: into how many Ward's tree is cut.
+         *         names: of the clusters, by the id of the pair that stands first in each.
+         *         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
+         */
+        app__schemas__impressions__Choices: {
+            /**
+             * Least Peak
+             * @default 1
+             */
+            least_peak: number;
+            /**
+             * Most Spread
+             * @default 0.85
+             */
+            most_spread: number;
+            /**
+             * Clusters
+             * @default 4
+             */
+            clusters: number;
+            /**
+             * Names
+             * @default {}
+             */
+            names: {
+                [key: string]: string;
+            };
+            /**
+             * Moved
+             * @default {}
+             */
+            moved: {
+                [key: string]: string;
+            };
+        };
+        /**
+         * Choices
+         * @description What was chosen; of `correct`, how often the choice was right. `chance`: by guessing.
+         */
+        app__schemas__results__Choices: {
+            /**
+             * Id
+             * @enum {string}
+             */
+            id: "choice" | "correct";
+            /** Title */
+            title: string;
+            /** Chance */
+            chance: number | null;
+            /** Rows */
+            rows: components["schemas"]["Share"][];
+            /** Sentence */
+            sentence: string;
         };
     };
     responses: never;
@@ -4025,6 +5004,60 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["AnswerReceipt"];
+                };
+            };
+            /** @description The personal link is not known. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description It contradicts what is stored. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    show_motion: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                token: string;
+                index: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Moved"];
+            };
+        };
+        responses: {
+            /** @description The motion, with its distance from the target in `Manner-Distance` */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": unknown;
                 };
             };
             /** @description The personal link is not known. */
@@ -7587,6 +8620,171 @@ export interface operations {
             };
         };
     };
+    read_impressions: {
+        parameters: {
+            query?: {
+                part?: string | null;
+                kind?: "participant" | "simulated";
+                least_peak?: number | null;
+                most_spread?: number | null;
+                clusters?: number | null;
+            };
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Impressions"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    choose_impressions: {
+        parameters: {
+            query?: {
+                kind?: "participant" | "simulated";
+            };
+            header?: never;
+            path: {
+                part: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Choices-Input"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Impressions"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
     list_studies: {
         parameters: {
             query?: never;
@@ -8686,6 +9884,89 @@ export interface operations {
             };
         };
     };
+    preview_motion: {
+        parameters: {
+            query?: {
+                part?: string | null;
+            };
+            header?: never;
+            path: {
+                index: number;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Moved"];
+            };
+        };
+        responses: {
+            /** @description The motion */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": unknown;
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
     list_study_templates: {
         parameters: {
             query?: never;
@@ -9207,6 +10488,881 @@ export interface operations {
             };
             /** @description Does not make sense */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_spaces: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpaceList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    create_space: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSpace"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpaceDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    show_space: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                space_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpaceDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    weigh_point: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                space_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Point"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Weighed"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    move_point: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                space_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Point"];
+            };
+        };
+        responses: {
+            /** @description The motion without a figure */
+            200: {
+                headers: {
+                    /** @description Of each example, in the space's order */
+                    "Manner-Weights"?: string;
+                    /** @description How far outside of the examples, 0 within */
+                    "Manner-Outside"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": string;
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    write_recipe: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                space_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Point"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpaceRecipe"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    create_space_version: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                space_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewVersion"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpaceDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    predict_clip: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                space_id: string;
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Prediction"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    draw_targets: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                space_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TargetRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TargetList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    clip_keytimes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["KeytimesView"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
