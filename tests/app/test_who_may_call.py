@@ -26,6 +26,10 @@ ASKED_BY_POST = {
     "/api/v1/clips/batch/plan",
     "/api/v1/graphs/preview",
     "/api/v1/graphs/{graph_id}/play",
+    "/api/v1/spaces/{space_id}/weights",
+    "/api/v1/spaces/{space_id}/motion",
+    "/api/v1/spaces/{space_id}/recipe",
+    "/api/v1/spaces/{space_id}/targets",
 }
 
 
@@ -48,7 +52,10 @@ WRITING = [call for call in GUARDED if call not in READING]
 
 def call(client: TestClient, method: str, path: str, **headers: str) -> Response:
     """Calls with nothing in the body and numbers that nobody has."""
-    for name in ("clip_id", "graph_id", "job_id", "pose_id", "name", "slug", "session_id", "email"):
+    for name in (
+        "clip_id", "graph_id", "job_id", "pose_id", "name", "slug", "session_id", "email", "part",
+        "space_id",
+    ):  # fmt: skip
         path = path.replace(f"{{{name}}}", str(uuid4()))
     assert "{" not in path, f"{path}: say what stands in its place"
     return client.request(method, path, headers=headers)
