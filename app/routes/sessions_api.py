@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from asyncio import wrap_future
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Response
+from fastapi import APIRouter, Path, Response
 
 from app.dependencies import CurrentWriter, Reading
 from app.schemas.errors import ErrorResponse
-from app.schemas.sessions import Answer, AnswerReceipt, Completion, SessionView
-from app.services import answers, session_views, sessions
+from app.schemas.sessions import Answer, AnswerReceipt, Completion, Moved, SessionView
+from app.services import answers, matching, session_views, sessions
+from app.services.matching import Made
 
 router = APIRouter(prefix="/api/v1/sessions/{token}", tags=["sessions"])
 
+StepIndex = Annotated[int, Path(ge=0, le=100_000)]
 Documented = dict[int | str, dict[str, Any]]
 NOT_FOUND: Documented = {
     404: {"model": ErrorResponse, "description": "The personal link is not known."}
@@ -49,7 +51,38 @@ async def record_response(
     return receipt
 
 
+@router.post(
+    "/steps/{index}/motion",
+    response_class=Response,
+    responses={
+        200: {
+            "description": "The motion, with its distance from the target in `Manner-Distance`",
+            "content": {"model/gltf-binary": {}},
+        },
+        **NOT_FOUND,
+        **CONFLICT,
+    },
+)
+def show_motion(token: str, index: StepIndex, moved: Moved, db: Reading) -> Response:
+    """The motion that the sliders of a step make, where one of the steps that match a target."""
+    made = matching.motion(db, token, index, moved.values)
+    return motion_response(made)
+
+
 @router.post("/complete", responses={**NOT_FOUND, **CONFLICT})
 async def complete(token: str, writer: CurrentWriter) -> Completion:
     """Close the session once every step has an answer, and give the completion code."""
     return await wrap_future(writer.submit(partial(sessions.complete, token=token)))
+
+
+def motion_response(made: Made) -> Response:
+    """A motion with what is measured of it."""
+    return Response(
+        made.glb,
+        media_type="model/gltf-binary",
+        headers={
+            "Manner-Distance": f"{made.distance:.4f}",
+            "Manner-Outside": f"{made.outside:.4f}",
+            "Manner-Solved": str(int(made.solved)),
+        },
+    )

@@ -19,8 +19,9 @@ from app.dependencies import (
     StudyViewer,
     Writing,
 )
+from app.routes.sessions_api import StepIndex, motion_response
 from app.schemas.errors import BUSY, ERRORS
-from app.schemas.sessions import SessionView
+from app.schemas.sessions import Moved, SessionView
 from app.schemas.studies_api import (
     Changes,
     InvitationList,
@@ -189,3 +190,19 @@ def preview_study(
 ) -> SessionView:
     """A participant's whole way through what is being edited. Nothing is stored or counted."""
     return drafts.preview(db, access, language, part)
+
+
+@api.post(
+    "/{slug}/preview/steps/{index}/motion",
+    response_class=Response,
+    responses={200: {"description": "The motion", "content": {"model/gltf-binary": {}}}},
+)
+def preview_motion(
+    access: StudyViewer,
+    index: StepIndex,
+    moved: Moved,
+    db: Reading,
+    part: Annotated[str | None, Query(max_length=60)] = None,
+) -> Response:
+    """The motion that the sliders of a preview's step make; `part` as the preview was asked for."""
+    return motion_response(drafts.preview_motion(db, access, index, moved.values, part))

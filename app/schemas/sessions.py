@@ -5,10 +5,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AwareDatetime, BaseModel, BeforeValidator, ConfigDict, Field
 
+from app.schemas.study import Interface
+
 SessionState = Literal["active", "complete", "screened_out", "failed_attention", "withdrawn"]
 StepKind = Literal[
     "semantic_differential", "unipolar", "likert", "analogue", "choose", "ab", "abx", "parallel",
-    "ranking", "free_text", "form", "instructions", "break", "comment", "debriefing",
+    "ranking", "free_text", "match", "form", "instructions", "break", "comment", "debriefing",
 ]  # fmt: skip
 Milliseconds = Annotated[float, Field(ge=0, le=1e10, allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=0, le=10**9)]
@@ -64,6 +66,8 @@ class StepView(Message):
         reference: the figure to compare with, in red.
         instruction: what an attention check says to answer.
         scales: the ids of the scales in the order in which they stand; null: as in the part.
+        interface, seen: of `match`, which sliders make the motion, and whether it is seen; a guess
+            has no clock.
     """
 
     index: int
@@ -73,6 +77,8 @@ class StepView(Message):
     reference: FigureView | None = None
     instruction: str | None = None
     scales: list[str] | None = None
+    interface: Interface | None = None
+    seen: bool | None = None
 
 
 class ResponseView(Message):
@@ -104,6 +110,7 @@ class SessionView(Message):
 Degrees = Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)]
 Zoom = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
 Sight = tuple[Milliseconds, Degrees, Degrees, Zoom]
+Move = tuple[Milliseconds, Identifier, Annotated[float, Field(ge=0, le=1)]]
 
 
 class Viewport(Message):
@@ -122,6 +129,7 @@ class ViewingRecord(Message):
         camera: how the view was turned, as [ms since the figures came, azimuth and elevation in
             degrees, zoom]; left out where it stayed as it was.
         start: sliders that showed a position before they were touched, and which.
+        path: every move of a slider, as [ms since the figures came, slider, position 0 … 1].
     """
 
     plays: Count | None = None
@@ -135,6 +143,7 @@ class ViewingRecord(Message):
     figure_ms: Annotated[list[Milliseconds], Field(max_length=1000)] | None = None
     camera: Annotated[list[Sight], Field(max_length=200)] | None = None
     start: Annotated[dict[Identifier, Position], Field(max_length=200)] | None = None
+    path: Annotated[list[Move], Field(max_length=20_000)] | None = None
 
 
 ShortText = Annotated[str, Field(max_length=5000), BeforeValidator(storable)]
@@ -167,6 +176,15 @@ class Answer(Message):
     time_elapsed_ms: Milliseconds
     client_time: AwareDatetime
     record: ViewingRecord
+
+
+class Moved(Message):
+    """Where the sliders of a match stand."""
+
+    values: Annotated[
+        dict[Identifier, Annotated[float, Field(ge=0, le=1)]],
+        Field(min_length=1, max_length=100),
+    ]
 
 
 class AnswerReceipt(Message):

@@ -13,7 +13,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from app.schemas.study import Words
+from app.schemas.study import Interface, Words
 from app.schemas.study.words import ContentHash, Name, Part, Title
 
 MOST_EXAMPLES = 64
@@ -22,8 +22,6 @@ MOST_PARAMETERS = 100
 Unit = Annotated[float, Field(ge=0, le=1)]
 Seconds = Annotated[float, Field(ge=0, le=1e6)]
 Keytimes = Annotated[dict[Name, Seconds], Field(max_length=16)]
-Interface = Literal["adjectives", "features", "weights"]
-"""By what an author says what is wanted: rated adjectives, measured features, bare weights."""
 
 
 class Example(Part):

@@ -22,6 +22,7 @@ from app.schemas.study import (
     FreeText,
     Instructed,
     Likert,
+    Match,
     Parallel,
     Ranking,
     Repeated,
@@ -66,6 +67,17 @@ def _of_task(task: Task, answers: Answers, figures: int) -> list[str]:
             return _numbers(["choice"], answers, lowest, figures - 1, whole=True)
         case SemanticDifferential() | Unipolar() | Likert():
             return _steps(task, answers)
+        case Match():
+            return _of_match(answers)
+
+
+def _of_match(answers: Answers) -> list[str]:
+    """Sliders from 0 to 1, and how long it took; which sliders there are, the space knows."""
+    sliders = {name: value for name, value in answers.items() if name != "seconds"}
+    faults = _numbers(list(sliders) or ["a slider"], sliders, 0, 1)
+    return faults + _numbers(
+        ["seconds"], {k: v for k, v in answers.items() if k == "seconds"}, 0, inf
+    )
 
 
 def _may_decline(task: Choose | AB | ABX) -> bool:

@@ -14,7 +14,8 @@ from app.persistence import responses, sessions, studies
 from app.persistence.models import now
 from app.persistence.responses import Asked, Stored
 from app.schemas.sessions import Answer, AnswerReceipt, SessionState
-from app.schemas.study import AnyPart, Outcome, Trials
+from app.schemas.study import AnyPart, Match, Outcome, Trials
+from app.services import matching
 from app.services.answer_checks import faults_of, held, screens_out
 from app.services.measures import CHOICES
 from app.services.plans import PAUSE, Step, planned_steps
@@ -63,7 +64,7 @@ def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool
         practice=step.get("practice", False),
         check=step.get("check"),
         passed=passed,
-        answers=answer.answers,
+        answers=_answers(db, part, step, answer),
         comment=answer.comment,
         rt_ms=answer.rt_ms,
         record=_record(answer),
@@ -71,6 +72,13 @@ def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool
         received_at=received_at,
     )
     return _receipt(answer, received_at, _state_after(db, asked, part, answer, passed)), True
+
+
+def _answers(db: Session, part: AnyPart | None, step: Step, answer: Answer) -> dict[str, Any]:
+    """What is stored: what was sent and, of a match, how near it came."""
+    if isinstance(part, Trials) and isinstance(part.task, Match):
+        return matching.measured(db, part.task, step, answer.answers)
+    return answer.answers
 
 
 def _passed(
@@ -199,7 +207,7 @@ def _already_answered(answer: Answer, stored: Stored) -> ConflictError:
         extra={
             "stored": {
                 **place,
-                "answers": stored.answers,
+                "answers": matching.as_sent(stored.answers),
                 "touched": stored.record["touched"],
                 "comment": stored.comment,
                 "received_at": stored.received_at.isoformat(),

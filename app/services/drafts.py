@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from datetime import datetime, timedelta
 from typing import Any
 
@@ -26,6 +27,7 @@ from app.schemas.studies_api import (
 from app.schemas.study import Language, Running, StudyDefinition
 from app.services import (
     audit,
+    matching,
     rights,
     session_views,
     studies,
@@ -33,6 +35,8 @@ from app.services import (
     study_stimuli,
     study_text,
 )
+from app.services.matching import Made
+from app.services.plans import planned_steps
 from app.services.rights import Access
 from app.services.studies import WelcomePage
 
@@ -238,6 +242,20 @@ def preview(
     """
     definition = _shown(db, access)
     return session_views.preview(db, definition, language or definition.languages[0], part)
+
+
+def preview_motion(
+    db: Session, access: Access, index: int, values: Mapping[str, float], part: str | None
+) -> Made:
+    """The motion that the sliders of a preview's step make.
+
+    Raises:
+        InvalidError: as `preview`, or the step matches nothing.
+        ConflictError: the step is a guess.
+    """
+    definition = _shown(db, access)
+    steps = planned_steps(session_views.preview_plan(definition, part))
+    return matching.made_in(db, definition, steps, index, values)
 
 
 def preview_welcome(db: Session, access: Access, language: Language | None) -> WelcomePage:

@@ -22,6 +22,7 @@ from app.schemas.study import (
     FormField,
     FreeText,
     Likert,
+    Match,
     Parallel,
     Ranking,
     SemanticDifferential,
@@ -125,8 +126,10 @@ def measures(part: AnyPart) -> list[Measure]:
 
 
 def shown_in(part: Trials) -> list[Stimulus]:
-    """The clips of a part, those of its attention checks last."""
-    return [*part.stimuli, *(one.stimulus for one in part.checks if isinstance(one, Catch))]
+    """The clips of a part, those for practice and of its attention checks last."""
+    practice = getattr(part.task, "practice_targets", ())
+    checks = (one.stimulus for one in part.checks if isinstance(one, Catch))
+    return [*part.stimuli, *practice, *checks]
 
 
 def _of_task(part: str, task: Task, clips: int) -> list[Measure]:
@@ -163,6 +166,25 @@ def _of_task(part: str, task: Task, clips: int) -> list[Measure]:
             return [replace(start, id="text", title=f"“{task.question}”", type="text")]
         case Choose() | AB() | ABX():
             return _choices(start, task)
+        case Match():
+            return _of_match(start, task)
+
+
+def _of_match(start: Measure, task: Match) -> list[Measure]:
+    seen = ((0, "a guess, unseen"), (1, "seen"))
+    limit = f"{task.threshold:g} m within {task.seconds} s"
+    number = replace(start, type="number")
+    category = replace(start, type="category")
+    return [
+        replace(category, id="interface", title="by which sliders the target was made",
+                levels=tuple((one, one) for one in task.interfaces)),
+        replace(category, id="seen", title="whether the motion was seen meanwhile", levels=seen),
+        replace(number, id="distance", unit="m",
+                title="mean distance of the joints from the target's at the end"),
+        replace(category, id="solved", title=f"whether the distance was below {limit}",
+                levels=((0, "no"), (1, "yes"))),
+        replace(number, id="seconds", unit="s", title="how long the sliders were moved"),
+    ]  # fmt: skip
 
 
 def _bipolar(start: Measure, task: SemanticDifferential) -> list[Measure]:

@@ -15,6 +15,7 @@ from app.schemas.study import (
     Break,
     Catch,
     Instructed,
+    Match,
     Repeated,
     SemanticDifferential,
     Stimulus,
@@ -23,6 +24,7 @@ from app.schemas.study import (
     Words,
 )
 from app.services.designs import Draws, draws_of, subset, williams
+from app.services.matching_plan import matching_steps
 
 Plan = dict[str, Any]
 Step = dict[str, Any]
@@ -100,6 +102,8 @@ def _trials(part: Trials, draws: Draws, row: int, design: str) -> list[Step]:
     every = units(part)
     practice = draws.shuffle(len(every))[: part.practice]
     order = _order(part, every, draws, row, design)
+    if isinstance(part.task, Match):
+        return _with_pauses(matching_steps(part, part.task, order, row), part)
     analysed = [_step(part, every[index], draws) for index in order]
     for check in part.checks:
         _add_check(analysed, check, part, draws)

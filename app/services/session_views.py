@@ -28,11 +28,13 @@ from app.schemas.study import (
     Instructed,
     Instructions,
     Language,
+    Match,
     SemanticDifferential,
     StudyDefinition,
     Trials,
     Words,
 )
+from app.services import matching
 from app.services.plans import PAUSE, Plan, Step, draw_plan, group_of, planned_steps
 from app.services.sessions import open_session, refuse_late
 from app.services.studies import definition_of, language_for, localised, media_url
@@ -68,13 +70,18 @@ def preview(
         language: of the texts.
         part: where to begin, the first step of this part.
     """
-    slot = _slot_that_sees(definition, part)
-    plan = draw_plan(definition, seed=0, slot=slot, design="preview")
+    plan = preview_plan(definition, part)
     found = _of_plan(db, definition.into(language), language, plan)
     first = next((step.index for step in found.steps if step.part == part), 0)
     return found.model_copy(
         update={"next": first, "study": found.study.model_copy(update={"preview": True})}
     )
+
+
+def preview_plan(definition: StudyDefinition, part: str | None = None) -> Plan:
+    """The way that is previewed: always the same one that sees the part."""
+    slot = _slot_that_sees(definition, part)
+    return draw_plan(definition, seed=0, slot=slot, design="preview")
 
 
 def _slot_that_sees(definition: StudyDefinition, part: str | None) -> int:
@@ -102,7 +109,9 @@ def _of_plan(
         ),
         state="active",
         parts={
-            name: _part_view(part, clips, language) for name, part in parts.items() if name in seen
+            name: _part_view(db, part, clips, language)
+            for name, part in parts.items()
+            if name in seen
         },
         steps=[
             _step_view(index, step, parts[step["part"]], clips, scales.get(step["part"]))
@@ -140,6 +149,8 @@ def _step_view(
         reference=_figure(clips[reference]) if reference else None,
         instruction=_instruction(part, step),
         scales=scales,
+        interface=step.get("interface"),
+        seen=step.get("seen"),
     )
 
 
@@ -148,7 +159,7 @@ def _instruction(part: Trials, step: Step) -> str | None:
     return str(check.text) if isinstance(check, Instructed) else None
 
 
-def _part_view(part: AnyPart, clips: Clips, language: Language) -> dict[str, Any]:
+def _part_view(db: Session, part: AnyPart, clips: Clips, language: Language) -> dict[str, Any]:
     if part.id == PAUSE.id:  # ours, not the study's: it is still in all languages
         part = PAUSE.model_copy(
             update={
@@ -156,6 +167,9 @@ def _part_view(part: AnyPart, clips: Clips, language: Language) -> dict[str, Any
                 "text": PAUSE.text.into(language),
             }
         )
+    if isinstance(part, Trials) and isinstance(part.task, Match):
+        asked = part.task.model_dump(mode="json", exclude={"space", "practice_targets"})
+        return {**asked, **matching.page(db, part.task, language)}
     if isinstance(part, Trials):
         return part.task.model_dump(mode="json", exclude={"reference"})
     found = part.model_dump(mode="json", exclude={"groups"})
@@ -187,7 +201,7 @@ def _figure(media: Media, caption: str | None = None) -> FigureView:
 def _response(row: Response) -> ResponseView:
     return ResponseView(
         revision=row.revision,
-        answers=row.answers,
+        answers=matching.as_sent(row.answers),
         touched=row.record["touched"],
         comment=row.comment,
     )

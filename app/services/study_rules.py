@@ -191,8 +191,9 @@ def _block_by(part: Trials, place: Path) -> Found:
 
 def _check(part: Trials, check: Instructed | Repeated | Catch, place: Path) -> Found:
     if isinstance(check, Repeated):
-        if part.task.kind == "free_text":
-            yield place, "Two texts cannot be compared.", "Take the check out."
+        if part.task.kind in ("free_text", "match"):
+            what = "texts" if part.task.kind == "free_text" else "matches"
+            yield place, f"Two {what} cannot be compared.", "Take the check out."
         number = part.subset or len(part.stimuli)
         if part.task.kind in OF_ONE and check.count > number:
             told = f"Only {number} clips are there to come again."

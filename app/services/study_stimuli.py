@@ -19,15 +19,17 @@ from app.persistence.writer import Writer
 from app.schemas.edits import ClipRequest, Edit
 from app.schemas.studies_api import Problem
 from app.schemas.study import (
+    Authored,
     Catch,
     Instructions,
     Made,
+    Match,
     Stimulus,
     StudyDefinition,
     Trials,
     Words,
 )
-from app.services import edits, sets
+from app.services import edits, library, sets, study_spaces
 from app.services.study_text import Path, short
 from app.workers import Workers
 
@@ -121,8 +123,10 @@ class _Library:
         self._ids: dict[str, str] = {}
         self._faults: list[Problem] = []
         for path, stimulus in _stimuli(definition):
-            if stimulus.clip is None and stimulus.made and self._usable(stimulus.made.source):
-                self._plan(path, stimulus, stimulus.made)
+            if stimulus.clip is None and (edit := self._edit(path, stimulus.made)) is not None:
+                self._plan(path, stimulus, edit)
+        for path, task in _matches(definition):
+            self._faults += study_spaces.problems(db, task, path)
 
     def problems(self) -> Iterator[Problem]:
         names: list[str] | None = None
@@ -158,6 +162,10 @@ class _Library:
     def clip(self, reference: str) -> ClipRecord:
         return self._found[reference][0]
 
+    def space(self, reference: str) -> str:
+        space = study_spaces.find(self._db, reference)
+        return reference if space is None else space.record.id
+
     def of(self, stimulus: Stimulus) -> tuple[str, str, Mapping[str, str]]:
         """Id, name and tags of the clip that a stimulus shows."""
         if stimulus.clip is not None:  # of a version that was made before, whatever the engine now
@@ -171,9 +179,27 @@ class _Library:
         found = self._found[reference]
         return len(found) == 1 and found[0].state != "to_confirm"
 
-    def _plan(self, path: Path, stimulus: Stimulus, made: Made) -> None:
-        source = self.clip(made.source)
-        edit = Edit(source=source.id, preset=made.preset, operations=_steps(made))
+    def _edit(self, path: Path, made: Made | Authored | None) -> Edit | None:
+        """How a stimulus is made, as a request; None where it cannot be, which is told."""
+        if isinstance(made, Authored):
+            return self._authored(path, made)
+        if made is None or not self._usable(made.source):
+            return None
+        operations = None if made.operations is None else list(made.operations)
+        return Edit(source=self.clip(made.source).id, preset=made.preset, operations=operations)
+
+    def _authored(self, path: Path, made: Authored) -> Edit | None:
+        try:
+            edit = study_spaces.edit_of(self._db, made)
+        except MannerError as error:
+            self._faults.append(study_spaces.fault_of(path, error))
+            return None
+        if edit is None:
+            self._faults.append(study_spaces.missing(made.space, (*path, "made", "space")))
+        return edit
+
+    def _plan(self, path: Path, stimulus: Stimulus, edit: Edit) -> None:
+        source = library.find(self._db, edit.source, signed_in=True)
         try:
             recipe = edits.read_recipe(edit)
         except MannerError as error:
@@ -195,10 +221,6 @@ def _request(source: ClipRecord, stimulus: Stimulus, edit: Edit) -> ClipRequest:
         name = f"{source.name[:100]} · {ending}"
         tags = {"made": "modified", "from": source.name, **sets.kept_tags(source)}
     return ClipRequest(**edit.model_dump(), name=name, tags=tags)
-
-
-def _steps(made: Made) -> list[Any] | None:
-    return None if made.operations is None else list(made.operations)
 
 
 def _key(stimulus: Stimulus) -> str:
@@ -245,8 +267,15 @@ def _references(definition: StudyDefinition) -> Iterator[tuple[Path, str]]:
     for path, stimulus in _stimuli(definition):
         if stimulus.clip is not None:
             yield (*path, "clip"), stimulus.clip
-        elif stimulus.made is not None:
+        elif isinstance(stimulus.made, Made):
             yield (*path, "made", "source"), stimulus.made.source
+
+
+def _matches(definition: StudyDefinition) -> Iterator[tuple[Path, Match]]:
+    """Every task that matches targets, with its place in the file."""
+    for index, part in enumerate(definition.parts):
+        if isinstance(part, Trials) and isinstance(part.task, Match):
+            yield ("parts", index, "task"), part.task
 
 
 def _stimuli(definition: StudyDefinition) -> Iterator[tuple[Path, Stimulus]]:
@@ -255,6 +284,8 @@ def _stimuli(definition: StudyDefinition) -> Iterator[tuple[Path, Stimulus]]:
             continue
         for number, stimulus in enumerate(part.stimuli):
             yield ("parts", index, "stimuli", number), stimulus
+        for number, stimulus in enumerate(getattr(part.task, "practice_targets", ())):
+            yield ("parts", index, "task", "practice_targets", number), stimulus
         for number, check in enumerate(part.checks):
             if isinstance(check, Catch):
                 yield ("parts", index, "checks", number, "stimulus"), check.stimulus
@@ -284,6 +315,10 @@ def _fill_trials(part: Trials, target: dict[str, Any], library: _Library) -> Non
         if name is not None
     }
     target["stimuli"] = stimuli
+    if isinstance(part.task, Match):
+        practice = [_fill(one, library) for one in part.task.practice_targets]
+        target["task"]["practice_targets"] = practice
+        target["task"]["space"] = library.space(part.task.space)
     if part.sets is not None:
         target["sets"] = [[called.get(name, name) for name in one] for one in part.sets]
     for check, filled_check in zip(part.checks, target["checks"], strict=True):

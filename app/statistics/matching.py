@@ -100,7 +100,7 @@ def signed_rank(one: ArrayLike, other: ArrayLike) -> SignedRank | None:
     zeros = int(differences.size - ranked.size)
     ties = np.unique(np.abs(ranked)).size < ranked.size
     exact = ranked.size <= EXACT_UP_TO and not ties and not zeros
-    method: Literal["exact", "asymptotic"] = "exact" if exact else "asymptotic"
+    method: Literal["exact", "approx"] = "exact" if exact else "approx"
     found = stats.wilcoxon(ranked, method=method, correction=False)
     return SignedRank(float(found.statistic), float(found.pvalue), int(ranked.size), zeros, exact)
 

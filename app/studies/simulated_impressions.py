@@ -71,6 +71,7 @@ def simulated_ratings(
     generator: np.random.Generator,
     participants: int = 14,
     noise: float = PAPER_NOISE,
+    values: Samples | None = None,
 ) -> Samples:
     """Answers −2 … 2 (participants, clips, 41) in the order of `CLIPS` and of the questionnaire.
 
@@ -82,9 +83,11 @@ def simulated_ratings(
         generator: of all draws.
         participants: how many answer; fourteen in the paper.
         noise: standard deviation of an answer about the common opinion, in steps.
+        values: of the clips (clips, 4), where they are not those of `latent`.
     """
     pairs = draw_pairs(published(motion_set), generator)
-    return simulate(latent(motion_set), pairs, participants, generator, noise)
+    of_clips = latent(motion_set) if values is None else values
+    return simulate(of_clips, pairs, participants, generator, noise)
 
 
 def _values(clip: str) -> Samples:

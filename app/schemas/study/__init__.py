@@ -19,13 +19,12 @@ from app.schemas.study.parts import (
     FormField,
     Instructed,
     Instructions,
-    Made,
     Option,
     Repeated,
-    Stimulus,
     Trials,
 )
 from app.schemas.study.running import MTurk, Outcome, Prolific, Running, Sona
+from app.schemas.study.stimuli import Authored, Interface, Made, Stimulus
 from app.schemas.study.tasks import (
     AB,
     ABX,
@@ -37,6 +36,7 @@ from app.schemas.study.tasks import (
     FreeText,
     Item,
     Likert,
+    Match,
     Parallel,
     Ranking,
     Scale,
@@ -47,10 +47,11 @@ from app.schemas.study.tasks import (
 from app.schemas.study.words import LANGUAGE_NAMES, LANGUAGES, ContentHash, Language, Words
 
 __all__ = [
-    "AB", "ABX", "LANGUAGES", "LANGUAGE_NAMES", "OF_ONE", "OF_TWO", "Analogue", "AnyPart", "Break",
-    "Catch", "Choose", "Comment", "CommentPage", "Consent", "ContentHash", "Debriefing", "Example",
-    "Form", "FormField", "FreeText", "Group", "Instructed", "Instructions", "Item", "Language",
-    "Likert", "MTurk", "Made", "Option", "Outcome", "Parallel", "Prolific", "Ranking", "Repeated",
-    "Running", "Scale", "SemanticDifferential", "Sona", "Stimulus", "StudyDefinition", "Task",
-    "Term", "Thanks", "Trials", "Unipolar", "Welcome", "Words",
+    "AB", "ABX", "LANGUAGES", "LANGUAGE_NAMES", "OF_ONE", "OF_TWO", "Analogue", "AnyPart",
+    "Authored", "Break", "Catch", "Choose", "Comment", "CommentPage", "Consent", "ContentHash",
+    "Debriefing", "Example", "Form", "FormField", "FreeText", "Group", "Instructed", "Instructions",
+    "Interface", "Item", "Language", "Likert", "MTurk", "Made", "Match", "Option", "Outcome",
+    "Parallel", "Prolific", "Ranking", "Repeated", "Running", "Scale", "SemanticDifferential",
+    "Sona", "Stimulus", "StudyDefinition", "Task", "Term", "Thanks", "Trials", "Unipolar",
+    "Welcome", "Words",
 ]  # fmt: skip

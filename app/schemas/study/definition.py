@@ -10,7 +10,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, StringConstraints, model_validator
 
-from app.schemas.study.parts import AnyPart, ClipRef, Trials
+from app.schemas.study.parts import AnyPart, Trials
+from app.schemas.study.stimuli import ClipRef
 from app.schemas.study.words import Language, Name, Part, Short, Slug, Title, Words
 
 

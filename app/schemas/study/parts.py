@@ -2,58 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.schemas.study.tasks import OF_ONE, OF_TWO, Task
-from app.schemas.study.words import Name, Part, Short, Text, Words
+from app.schemas.study.stimuli import ClipRef, Stimulus
+from app.schemas.study.tasks import OF_ONE, OF_TWO, Match, Task
+from app.schemas.study.words import Name, Part, Words
 
 MOST_TRIALS = 10_000  # of one part; a plan lists them all
-ClipRef = Annotated[str, Field(min_length=1, max_length=200)]
-
-
-class Made(Part):
-    """How a stimulus is made from another clip: by a preset, or by a recipe's operations."""
-
-    source: ClipRef
-    preset: Name | None = None
-    operations: tuple[dict[str, Any], ...] | None = None
-
-    @model_validator(mode="after")
-    def _is_one_of_them(self) -> Self:
-        if (self.preset is None) == (self.operations is None):
-            raise ValueError("give either preset or operations")
-        return self
-
-
-class Stimulus(Part):
-    """A clip of the study: its identity in the library, and how the results name it.
-
-    In a file, a clip's name alone is enough; publishing looks up its hash and fills in the rest.
-
-    Attributes:
-        clip: the clip's name in the library, or its id (64 hexadecimal digits) once published.
-        made: instead of `clip`, how to make it.
-    """
-
-    clip: ClipRef | None = None
-    made: Made | None = None
-    name: Short | None = None
-    label: Words | None = None
-    body: Text | None = None
-    style: Text | None = None
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_a_name(cls, given: object) -> object:
-        return {"clip": given} if isinstance(given, str) else given
-
-    @model_validator(mode="after")
-    def _says_which(self) -> Self:
-        if self.clip is None and self.made is None:
-            raise ValueError("give clip, or how it is made")
-        return self
 
 
 class Instructed(Part):
@@ -147,6 +104,8 @@ class Trials(Shown):
             raise ValueError("subset: more clips than the part has")
         if self.task.kind not in OF_ONE and number < 2:
             raise ValueError(f"stimuli: {self.task.kind} compares; give at least two")
+        if isinstance(self.task, Match) and self.practice:
+            raise ValueError("practice: matching has practice targets of its own; name them there")
         if self.sets is not None and self.task.kind in OF_ONE:
             raise ValueError(f"sets: {self.task.kind} shows one figure at a time")
         pairs = number * (number - 1) // 2

@@ -9,7 +9,10 @@ on the page, so that no address or answer gives a clip's name away):
 - `choose`, `ab`: `choice`, the chosen figure, or −1 for none or no difference;
 - `abx`: `choice`, 0 or 1, the figure that X is taken for;
 - `parallel`: each figure to its position, 0 … 100; `ranking`: each figure to its rank, 1 first;
-- `free_text`: `text`.
+- `free_text`: `text`;
+- `match`: slider id to where it stood at last, 0 … 1 (of bare weights: `e0`, `e1`, … as the space
+  has its examples), and `seconds`, how long it took. The server adds `interface`, `seen` (0 for a
+  guess), `distance` (metres) and `solved` (1 if the distance was below the threshold in time).
 """
 
 from __future__ import annotations
@@ -18,6 +21,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from app.schemas.study.stimuli import Interface, SpaceRef, Stimulus
 from app.schemas.study.words import Name, Part, Words
 
 
@@ -148,6 +152,42 @@ class FreeText(Asking):
     required: bool = True
 
 
+class Match(Asking):
+    """A target in green is made again by a figure in blue that sliders move.
+
+    Of each target the sliders are first set unseen, once with every interface; then it is matched
+    with each, seen, against the clock (Oshita et al., section 6.1). The stimuli are the targets.
+
+    Attributes:
+        space: the authoring space: its name (of which the newest version is taken), or its id.
+        interfaces: with what the motion is made; their order is balanced over participants.
+        guess_first: whether there are guesses unseen.
+        seconds: after so long a target is given up.
+        threshold: metres; below this distance the two motions match.
+        practice_targets: matched first, with each interface, and not analysed.
+        examples: whether all example motions of the space can be looked at beside the task.
+    """
+
+    kind: Literal["match"] = "match"
+    space: SpaceRef
+    interfaces: Annotated[tuple[Interface, ...], Field(min_length=1, max_length=3)] = (
+        "weights",
+        "adjectives",
+        "features",
+    )
+    guess_first: bool = True
+    seconds: Annotated[int, Field(ge=5, le=3600)] = 300
+    threshold: Annotated[float, Field(gt=0, le=1)] = 0.06
+    practice_targets: Annotated[tuple[Stimulus, ...], Field(max_length=20)] = ()
+    examples: bool = True
+
+    @model_validator(mode="after")
+    def _has_each_interface_once(self) -> Self:
+        if len(set(self.interfaces)) < len(self.interfaces):
+            raise ValueError("interfaces: one is there twice")
+        return self
+
+
 Task = Annotated[
     SemanticDifferential
     | Unipolar
@@ -158,9 +198,10 @@ Task = Annotated[
     | ABX
     | Parallel
     | Ranking
-    | FreeText,
+    | FreeText
+    | Match,
     Field(discriminator="kind"),
 ]
 # Those that show one judged figure a trial; the others show several.
-OF_ONE = ("semantic_differential", "unipolar", "likert", "analogue", "free_text")
+OF_ONE = ("semantic_differential", "unipolar", "likert", "analogue", "free_text", "match")
 OF_TWO = ("ab", "abx")
