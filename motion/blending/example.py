@@ -152,13 +152,22 @@ def _signals(clip: Clip, pose: WorldPose, feet: tuple[Foot, ...], travel: Array)
     count = clip.frames - 1 if clip.cyclic else clip.frames
     gone = np.linspace(0.0, 1.0, clip.frames)[:, None] * travel
     columns = [to_directions(clip.rotations).reshape(clip.frames, -1), clip.root_positions - gone]
-    mode: Literal["wrap", "nearest"] = "wrap" if clip.cyclic else "nearest"
     for foot in feet:
         columns += [pose.positions[:, foot.ankle] - gone]
         columns += [to_directions(pose.rotations[:, foot.ankle])]
-        for point, planted in zip(foot.points, foot.planted, strict=True):
-            flags = planted[:count].astype(float)
-            share = np.zeros((clip.frames, 1))
-            share[:count, 0] = gaussian_filter1d(flags, _SOFT / clip.frame_time, mode=mode)
-            columns += [point.positions(pose) - gone, share]
+        soles = [point.positions(pose) for point in foot.points]
+        columns += [np.min(soles, axis=0)[:, 1:2]]
+        for places, planted in zip(soles, foot.planted, strict=True):
+            firm = _firmly(clip, planted[:count])
+            steps = np.diff(places, axis=0, append=places[-1:]) * (clip.frames - 1)
+            columns += [places - gone, firm, firm * steps[:, [0, 2]]]
     return np.ascontiguousarray(np.hstack(columns)[:count])
+
+
+def _firmly(clip: Clip, planted: NDArray[np.bool_]) -> Array:
+    """(F, 1) how firmly a point stands, from its flags: softly, and less right before it leaves."""
+    mode: Literal["wrap", "nearest"] = "wrap" if clip.cyclic else "nearest"
+    share = np.zeros((clip.frames, 1))
+    width = _SOFT / clip.frame_time
+    share[: len(planted), 0] = gaussian_filter1d(planted.astype(float), width, mode=mode)
+    return np.asarray(share**3)

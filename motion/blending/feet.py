@@ -17,7 +17,44 @@ from motion.skeleton import Skeleton
 Array = NDArray[np.float64]
 
 _NOTHING = 1e-9  # m: a foot that is off by less is where it shall be
+_FULLY = 0.3  # weight of the examples that stand, from which on the blend stands
 _HINT = 0.01  # m: how much a straight knee is told which way is ahead
+
+
+@dataclass(frozen=True, eq=False)
+class SolePoint:
+    """Means of the examples' signals of one point of a sole.
+
+    Attributes:
+        joint: that carries it.
+        offset: (3,) in the joint's frame, m.
+        place: (T, 3) m.
+        stands: (T,) how much the foot stands on it, from 0 to 1 as soon as some examples do.
+        excess: (T, 2) level velocity, in m by the length of the blend, that it has because other
+            examples' points have left their place already.
+    """
+
+    joint: int
+    offset: Array
+    place: Array
+    stands: Array
+    excess: Array
+
+    @classmethod
+    def read(
+        cls, joint: int, offset: Array, columns: Array, gone: Array, after: Array
+    ) -> SolePoint:
+        """From the blended columns (T, 6), the travel (T, 3) and that after the last (3,)."""
+        place = columns[:, :3] + gone
+        part = np.clip(columns[:, 3] / _FULLY, 0.0, 1.0)
+        slope = part * (3.0 - 2.0 * part)  # of the smooth step from 0 to 1, seen from 0
+        stands = part * slope
+        ahead = np.concatenate([place[1:], (columns[0, :3] + after)[None]])
+        velocity = (ahead - place)[:, [0, 2]] * len(place)
+        # Less the mean velocity of the points that stand, which are not quite still in recordings.
+        still = np.where(part < 1.0, slope / _FULLY, 1.0 / np.maximum(columns[:, 3], _FULLY))
+        excess = stands[:, None] * velocity - still[:, None] * columns[:, 4:6]
+        return cls(joint, offset, place, stands, excess)
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,24 +65,30 @@ class BlendedFoot:
         foot: its joints.
         ankle: (T, 3) m.
         turn: (T, 4) world rotation.
-        points: for each point of its sole, joint, offset (3,) in the joint's frame, place (T, 3)
-            and how much (T,) the foot stands on it.
+        lowest: (T,) m, height of the lowest point of the sole.
+        points: of its sole.
     """
 
     foot: Foot
     ankle: Array
     turn: Array
-    points: tuple[tuple[int, Array, Array, Array], ...]
+    lowest: Array
+    points: tuple[SolePoint, ...]
 
     @classmethod
-    def read(cls, foot: Foot, offsets: Sequence[Array], columns: Array, gone: Array) -> BlendedFoot:
-        """From the blended columns (T, 9 + 4 a point); ``gone`` (T, 3) is the travel."""
+    def read(
+        cls, foot: Foot, offsets: Sequence[Array], columns: Array, gone: Array, after: Array
+    ) -> BlendedFoot:
+        """From the blended columns (T, 10 + 6 a point); ``gone`` (T, 3) is the travel.
+
+        ``after`` (3,) is the travel one frame after the last.
+        """
         points = []
         for index, (point, offset) in enumerate(zip(foot.points, offsets, strict=True)):
-            part = columns[:, 9 + 4 * index : 13 + 4 * index]
-            points.append((point.joint, offset, part[:, :3] + gone, part[:, 3]))
+            part = columns[:, 10 + 6 * index : 16 + 6 * index]
+            points.append(SolePoint.read(point.joint, offset, part, gone, after))
         turn = from_directions(columns[:, 3:9])
-        return cls(foot, columns[:, :3] + gone, turn, tuple(points))
+        return cls(foot, columns[:, :3] + gone, turn, columns[:, 9], tuple(points))
 
     def goal(self, pose: WorldPose) -> Array:
         """(T, 3) place of the ankle that leaves the point on which the foot stands in its place.
@@ -55,13 +98,41 @@ class BlendedFoot:
         """
         ankle = self.foot.ankle
         back = conjugate(pose.rotations[:, ankle])
-        change, total = np.zeros_like(self.ankle), np.zeros((len(self.ankle), 1))
-        for joint, offset, place, stands in self.points:
-            point = pose.positions[:, joint] + rotate(pose.rotations[:, joint], offset)
-            reach = rotate(self.turn, rotate(back, point - pose.positions[:, ankle]))
-            change += stands[:, None] * (place - self.ankle - reach)
-            total += stands[:, None]
-        return self.ankle + change / np.maximum(total, 1.0)
+        change, heights = np.zeros_like(self.ankle), []
+        for point, share in zip(self.points, self._shares(), strict=True):
+            here = pose.positions[:, point.joint]
+            here = here + rotate(pose.rotations[:, point.joint], point.offset)
+            reach = rotate(self.turn, rotate(back, here - pose.positions[:, ankle]))
+            change += share * (point.place - self.ankle - reach)
+            heights.append(self.ankle[:, 1] + reach[:, 1])
+        change[:, [0, 2]] -= self._drift()
+        change[:, 1] = (1.0 - self._swings()) * (self.lowest - np.min(heights, axis=0))
+        return self.ankle + change
+
+    def _swings(self) -> Array:
+        """(T,) 1 in the air, 0 while a point of the sole stands."""
+        return np.asarray(np.prod([1.0 - point.stands for point in self.points], axis=0))
+
+    def _shares(self) -> list[Array]:
+        """For each point how much (T, 1) it tells the foot's place."""
+        total = np.maximum(sum(point.stands for point in self.points), 1.0)
+        return [(point.stands / total)[:, None] for point in self.points]
+
+    def _drift(self) -> Array:
+        """(T, 2) level way that the standing foot has slid, m; taken back while it swings.
+
+        Examples do not leave the floor with the same point at the same time: while one of them
+        stands, the mean of all would slide with those that are off.
+        """
+        shares = self._shares()
+        rate = np.sum([s * p.excess for s, p in zip(shares, self.points, strict=True)], axis=0)
+        swings = self._swings()[:, None]
+        if swings.sum() < 1.0:
+            swings = np.ones_like(swings)
+        rate = (rate - rate.sum(axis=0) * swings / swings.sum()) / len(rate)
+        drift = np.cumsum(rate, axis=0) - rate
+        stands = 1.0 - swings + 1e-9
+        return np.asarray(drift - (stands * drift).sum(axis=0) / stands.sum())
 
 
 def onto_feet(
