@@ -67,7 +67,7 @@ def cut_cycle(clip: Clip, start: float | None = None, end: float | None = None) 
 def _standing(cycle: Clip) -> Clip:
     """The cycle with feet that do not slide where they stand, if it has legs."""
     legs = all(f"{s}_{part}" in cycle.skeleton.roles for s in SIDES for part in _LEG)
-    return repair_feet(cycle, cycle) if legs else cycle
+    return repair_feet(cycle, cycle, as_straight=True) if legs else cycle
 
 
 def roll_cycle(clip: Clip, frame: int) -> Clip:

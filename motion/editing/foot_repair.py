@@ -28,17 +28,21 @@ _BLEND = 0.08  # s in which a foot goes over into its plant and out of it
 _SMOOTH = 0.05  # s, standard deviation of the smoothing of the hips' repaired path
 _SINK = 0.005  # m
 _STRETCH = 0.985  # of the leg's length: a standing leg reaches no farther, or its knee would snap
+_STRAIGHTEST = 0.998
 
 
-def repair_feet(original: Clip, edited: Clip) -> Clip:
+def repair_feet(original: Clip, edited: Clip, *, as_straight: bool = False) -> Clip:
     """The edited clip with hips and legs such that feet stand where and when they stood before.
 
     Args:
         original: the clip before the edit: it tells when the feet stand.
         edited: the same skeleton and frames with other rotations; a cycle stays a cycle.
+        as_straight: standing legs may be as straight as they were before, however little more
+            would make their knees snap; for edits that hardly move the feet.
     """
     if original.cyclic and original.frames > 1:
-        return middle_cycle(repair_feet(three_cycles(original), three_cycles(edited)))
+        three = three_cycles(original), three_cycles(edited)
+        return middle_cycle(repair_feet(*three, as_straight=as_straight))
     before = forward_kinematics(original)
     feet = find_feet(original, before)
     if not any(foot.stands.any() for foot in feet):
@@ -47,8 +51,8 @@ def repair_feet(original: Clip, edited: Clip) -> Clip:
     pose = forward_kinematics(moved)
     moved = _with_standing_toes(moved, original, feet)
     goals = {foot: _foot_goal(foot, moved, pose, before) for foot in feet}
-    lowered = _within_reach(moved, pose, {foot: ankle for foot, (ankle, _) in goals.items()})
-    return _legs_onto(lowered, goals, before)
+    lowered = _within_reach(moved, pose, goals, before if as_straight else None)
+    return legs_onto(lowered, goals, before)
 
 
 def _hips_path(original: Clip, edited: Clip, feet: tuple[Foot, Foot], before: WorldPose) -> Array:
@@ -97,7 +101,7 @@ def _foot_goal(foot: Foot, clip: Clip, pose: WorldPose, before: WorldPose) -> tu
         gaps.append(locked[plant] + shift - ankle[plant])
     if not frames:
         return ankle, pose.rotations[:, foot.ankle]
-    goal = ankle + _carried_on(np.concatenate(frames), np.concatenate(gaps), clip.frames)
+    goal = ankle + carried_on(np.concatenate(frames), np.concatenate(gaps), clip.frames)
     share = _standing_share(foot, clip.frame_time)
     turn = slerp(pose.rotations[:, foot.ankle], before.rotations[:, foot.ankle], share)
     # A recording may stand a little below the floor; only a standing foot keeps that.
@@ -107,13 +111,22 @@ def _foot_goal(foot: Foot, clip: Clip, pose: WorldPose, before: WorldPose) -> tu
     return goal, turn
 
 
-def _within_reach(clip: Clip, pose: WorldPose, ankles: dict[Foot, Array]) -> Clip:
-    """The clip with its hips lowered where a standing leg would not reach."""
+def _within_reach(
+    clip: Clip, pose: WorldPose, goals: dict[Foot, tuple[Array, Array]], before: WorldPose | None
+) -> Clip:
+    """The clip with its hips lowered where a standing leg would not reach.
+
+    Legs that were straighter in a pose ``before`` may be so again.
+    """
     needed = np.zeros(clip.frames)
-    for foot, ankle in ankles.items():
+    for foot, (ankle, _) in goals.items():
         hip = pose.positions[:, foot.thigh]
         level = np.linalg.norm((hip - ankle)[:, [0, 2]], axis=1)
-        reach = _STRETCH * leg_length(clip, foot.side)
+        length = leg_length(clip, foot.side)
+        reach: Array | float = _STRETCH * length
+        if before is not None:
+            was = before.positions[:, foot.thigh] - before.positions[:, foot.ankle]
+            reach = np.clip(np.linalg.norm(was, axis=1), reach, _STRAIGHTEST * length)
         highest = ankle[:, 1] + np.sqrt(np.maximum(reach**2 - level**2, 0.0))
         needed = np.maximum(needed, np.where(foot.stands, hip[:, 1] - highest, 0.0))
     root = clip.root_positions.copy()
@@ -121,7 +134,11 @@ def _within_reach(clip: Clip, pose: WorldPose, ankles: dict[Foot, Array]) -> Cli
     return replace(clip, root_positions=root)
 
 
-def _legs_onto(clip: Clip, goals: dict[Foot, tuple[Array, Array]], before: WorldPose) -> Clip:
+def legs_onto(clip: Clip, goals: dict[Foot, tuple[Array, Array]], before: WorldPose) -> Clip:
+    """The clip with each foot's ankle where it shall be (T, 3) and turned as it shall be (T, 4).
+
+    Knees bend as they do in a pose ``before``; legs reach as far as they are long.
+    """
     pose = forward_kinematics(clip)
     rotations = clip.rotations.copy()
     for foot, (ankle, turn) in goals.items():
@@ -176,7 +193,7 @@ def _sole_height(foot: Foot, clip: Clip, ankle: Array, turn: Array) -> Array:
     return np.min(heights, axis=0)
 
 
-def _carried_on(frames: NDArray[np.intp], values: Array, count: int) -> Array:
+def carried_on(frames: NDArray[np.intp], values: Array, count: int) -> Array:
     """Values (count, 3), known at some frames, monotone between them and held beyond the ends."""
     if len(frames) == 1:
         return np.repeat(values, count, axis=0)

@@ -1,20 +1,26 @@
-"""Operations that make clips fit for one blending space: one cycle each."""
+"""Operations that make clips fit for one blending space: one cycle each, on one skeleton."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
+from motion.body import REQUIRED
 from motion.clip import Clip
 from motion.editing.cycle_cut import cut_cycle
 from motion.recipe.operation import Context, operation
-from motion.recipe.parameters import Number
+from motion.recipe.parameters import Number, Reference
+from motion.retargeting import retarget
 
 _LATEST = 36_000.0  # s
 
 
 def _cycle(clip: Clip, _: Context, *, start: float | None, end: float | None) -> Clip:
     return cut_cycle(clip, start, end)
+
+
+def _retarget(source: Clip, context: Context, *, clip: str) -> Clip:
+    return retarget(source, context.materials.clips[clip]).clip
 
 
 def _both_or_neither(values: Mapping[str, Any]) -> tuple[str, str] | None:
@@ -52,4 +58,20 @@ CYCLE = operation(
     _cycle,
     follow=_cycle,
     rule=_both_or_neither,
+)
+
+RETARGET = operation(
+    "retarget@1",
+    "Onto another body",
+    "Puts the motion onto another clip's skeleton; limbs keep their directions, feet stand.",
+    {
+        "clip": Reference(
+            title="Body",
+            description="A clip of the skeleton that shall move.",
+            kind="clip",
+        )
+    },
+    _retarget,
+    follow=_retarget,
+    needs=REQUIRED,
 )

@@ -38,8 +38,9 @@ class Context:
 
     Attributes:
         materials: poses and clips.
-        source: the clip that the recipe began with. It tells how the body stands: one that was
-            bowed by a step before would be taken for one that looks straight ahead.
+        source: the clip that the recipe began with, or came to when it last changed the body. It
+            tells how the body stands: one that was bowed by a step before would be taken for one
+            that looks straight ahead.
         unedited: the source in the time of this step.
     """
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motion.recipe.blends import BLEND
-from motion.recipe.cycles import CYCLE
+from motion.recipe.cycles import CYCLE, RETARGET
 from motion.recipe.examples import EMOTION, FOURIER
 from motion.recipe.feet import REPAIR_FEET
 from motion.recipe.operation import Operation
@@ -18,5 +18,6 @@ OPERATIONS: Mapping[str, Operation] = {
     for operation in (
         GRID, POSTURE, PATH_LENGTH, BANDS, TIMING, CONTACTS, VARY, TEMPO, RESAMPLE, CUT,
         REPAIR_FEET, WARP, WARP_TIME, WAVESHAPE, FOURIER, EMOTION, BLEND, CYCLE,
+        RETARGET,
     )
 }  # fmt: skip

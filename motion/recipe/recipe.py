@@ -121,12 +121,14 @@ class Recipe:
             RecipeError: if a pose or clip is missing, or the source does not lend itself to a step.
         """
         self._check_supplied(materials)
-        clip = source
+        clip = body = source
         for place, step in enumerate(self.steps):
             before = Recipe(self.steps[:place])
-            context = Context(materials, source, partial(before.unedited, source, materials))
+            context = Context(materials, body, partial(before.unedited, source, materials))
             with _told_where(place, step):
                 clip = step.operation.apply(clip, step.parameters, context)
+            if clip.skeleton.content_hash != body.skeleton.content_hash:
+                body = clip
         return clip
 
     def unedited(self, source: Clip, materials: Materials = _NO_MATERIALS) -> Clip:

@@ -41,8 +41,10 @@ EXAMPLES = {
     "emotion@1": {"neutral": CYCLE, "emotional": OTHER_CYCLE, "amount": 0.5},
     "blend@1": {"examples": [{"clip": CYCLE, "weight": 1}, {"clip": OTHER_CYCLE, "weight": 0.5}]},
     "cycle@1": {"start": 0.1, "end": 0.9},
+    "retarget@1": {"clip": CYCLE},
 }
-SETTINGS = {"resample@1", "cut@1", "repair_feet@1", "blend@1", "cycle@1"}  # no amount
+# Which have no amount.
+SETTINGS = {"resample@1", "cut@1", "repair_feet@1", "blend@1", "cycle@1", "retarget@1"}
 
 
 def recipe(*keys):
