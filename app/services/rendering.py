@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -24,7 +24,9 @@ from motion.editing.posture import capture_pose
 from motion.errors import RecipeError
 from motion.figure import FigureMesh, build_figure
 from motion.glb import write_clip_glb
+from motion.keytimes import find_keytimes
 from motion.recipe import Materials, Recipe, check_recipe, ease_off_recipe
+from motion.retargeting import retarget
 from motion.storage import clip_from_bytes
 
 CLIPS_KEPT = 4  # parsed; a clip of 100 s at 100 fps takes 7 MB
@@ -120,6 +122,22 @@ def pose(clip: bytes, frame: int) -> dict[str, list[float]]:
             mend="Set the roles in the report of its import.",
         )
     return {role: [float(value) for value in turn] for role, turn in sorted(captured.items())}
+
+
+def keytimes(clip: bytes) -> dict[str, float]:
+    """Event of a cyclic clip's feet to its time in seconds; empty where none steps."""
+    with _told():
+        return find_keytimes(_clip(clip))
+
+
+def retarget_error(source: bytes, onto: bytes) -> dict[str, Any]:
+    """How well a motion would fit another clip's skeleton; see ``motion.retargeting``.
+
+    Raises:
+        InvalidError: a body role is missing that a human body needs.
+    """
+    with _told():
+        return asdict(retarget(_clip(source), _clip(onto)).error)
 
 
 def as_bvh(clip: bytes) -> bytes:
