@@ -219,7 +219,7 @@ def test_without_enough_answers_a_sentence_says_what_is_missing(db, ratings):
     rated_pairs.add(db, study, ratings[:1])
     found = looked_at(db)
     assert "so far there is one" in found.problem
-    assert not (found.clusters or found.merges or found.matrix)
+    assert (found.clusters, found.merges, found.matrix) == ([], [], [])
     rated_pairs.add(db, study, ratings[1:2])
     assert looked_at(db).problem is None
 
