@@ -1,6 +1,6 @@
 import { defineConfig } from "vite";
 
-const pages = ["site", "library", "clip", "trial", "welcome", "thanks", "results", "viewer", "keys", "sets", "studio", "graph", "builder", "studies", "live"];
+const pages = ["site", "library", "clip", "trial", "welcome", "thanks", "results", "viewer", "keys", "sets", "studio", "graph", "builder", "studies", "live", "impressions", "space", "spaces"];
 
 export default defineConfig({
   base: "/static/",

@@ -54,6 +54,7 @@ export const api = {
   upload,
   bytes,
   bytesFor,
+  reply,
   page,
 };
 
@@ -88,13 +89,18 @@ async function bytes(
 
 /** Send a question whose answer is bytes, such as a recipe whose motion is wanted. */
 async function bytesFor(path: string, body: unknown): Promise<ArrayBuffer> {
+  return (await reply(path, body)).bytes;
+}
+
+/** The same, where the answer's headers say something too. */
+async function reply(path: string, body: unknown): Promise<{ bytes: ArrayBuffer; headers: Headers }> {
   const response = await reach(path, {
     method: "POST",
     headers: headers("POST", { "Content-Type": "application/json", Accept: "*/*" }),
     body: JSON.stringify(body),
   });
   if (!response.ok) throw errorFrom(response.status, await response.text());
-  return response.arrayBuffer();
+  return { bytes: await response.arrayBuffer(), headers: response.headers };
 }
 
 async function metered(response: Response, onShare: (share: number) => void): Promise<ArrayBuffer> {

@@ -2,18 +2,16 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
 import { faultWords, fineLines, sizeWords, timeWords, type Finding } from "./checks";
-import { asCurl, asPython, asRecipe, type Variant } from "./exports";
+import { exportPanel, type ExportActs } from "./export_panel";
 import type { Clip } from "./server";
 import type { Session } from "./session";
 import { deleteButton } from "./slider";
 
-export interface ResultActs {
+export interface ResultActs extends Omit<ExportActs, "variant"> {
   seek(finding: Finding): void;
   easeOff(): void;
   open(clip: string): void;
   remove(clip: Clip): void;
-  download(suffix: "bvh" | "glb" | "json"): void;
-  copied(text: string): void;
 }
 
 export interface ResultState {
@@ -65,24 +63,9 @@ function variants(session: Session, { variants }: ResultState, { open, remove }:
       : html`<button class="link-button" type="button" @click=${() => open(session.source.id)}>Begin again from the original</button>`}</section>`;
 }
 
-function exports(session: Session, { said, busy }: ResultState, acts: ResultActs): TemplateResult {
-  const variant: Variant = {
-    source: session.source.id, operations: session.steps, name: session.name || session.suggestedName,
-  };
-  const copy = (text: string, what: string) => async () => {
-    await navigator.clipboard.writeText(text);
-    acts.copied(`${what} copied`);
-  };
-  const file = (suffix: "bvh" | "glb" | "json", words: string) => html`<button class="button" type="button"
-    ?disabled=${busy} title=${words} @click=${() => acts.download(suffix)}>${icon("download")}${suffix.toUpperCase()}</button>`;
-  const server = location.origin;
-  return html`<section class="exports" id="export" tabindex="-1"><header><h2>Export</h2><span class="tiny" role="status">${said}</span></header>
-    <div class="files" role="group" aria-label="Download">${file("glb", "With its figure, for 3D programs")}${file("bvh", "For animation programs")}${file("json", "Everything as numbers")}</div>
-    <ul>
-      <li><button class="link-button" type="button" @click=${copy(asRecipe(variant), "Recipe")}>${icon("copy")}Copy as recipe</button></li>
-      <li><button class="link-button" type="button" @click=${copy(asCurl(variant, server), "Call")}>${icon("copy")}Copy as curl call</button></li>
-      <li><button class="link-button" type="button" @click=${copy(asPython(variant, server), "Program")}>${icon("copy")}Copy as Python</button></li>
-    </ul>
-    <p class="hint">The calls read an <a href="/research/keys">API key</a> from MANNER_KEY.</p>
-    <a class="make-set" href="/research/sets">${icon("sets")}Make a set</a></section>`;
-}
+const exports = (session: Session, { said, busy }: ResultState, { download, copied }: ResultActs): TemplateResult =>
+  exportPanel({ said, busy }, {
+    variant: () => Promise.resolve({ source: session.source.id, operations: session.steps, name: session.name || session.suggestedName }),
+    download,
+    copied,
+  });

@@ -22,11 +22,10 @@ export function amountSlider(amount: Amount, set: (value: number) => void): Temp
   const { label, value, min, max, step, neutral, unit = "", hint, remove } = amount;
   const text = `${value.toFixed(step < 1 ? 2 : 0)}${unit && ` ${unit}`}`;
   const input = (event: Event) => set(Number((event.target as HTMLInputElement).value));
-  const fill = (element: Element | undefined) => paint(element as HTMLElement | undefined, amount);
   return html`<div class="amount" title=${hint ?? nothing}>
     <label><span>${label}</span>
-      <input type="range" min=${min} max=${max} step=${step} .value=${live(String(value))} aria-valuetext=${text}
-        @input=${input} @dblclick=${() => set(neutral)} ${ref(fill)}></label>
+      <input class="filled" type="range" min=${min} max=${max} step=${step} .value=${live(String(value))} aria-valuetext=${text}
+        @input=${input} @dblclick=${() => set(neutral)} ${filled(amount)}></label>
     <span class="amount-value" aria-hidden="true">${text.replace("-", "−")}</span>
     ${remove && value === neutral ? deleteButton(label, remove) : resetButton(label, value !== neutral, () => set(neutral))}
   </div>`;
@@ -42,8 +41,11 @@ export const deleteButton = (label: string, remove: () => void): TemplateResult 
   html`<button class="reset" type="button" title="Delete ${label}" aria-label="Delete ${label}" @click=${remove}>
     ${icon("close")}</button>`;
 
-/** The content policy allows no style in markup, so it is set on the element. */
-function paint(slider: HTMLElement | undefined, { value, min, max, neutral }: Amount): void {
+/** Fills a range from its neutral place. The content policy allows no style in markup, so it is set on the element. */
+export const filled = (amount: Pick<Amount, "value" | "min" | "max" | "neutral">) =>
+  ref((element) => paint(element as HTMLElement | undefined, amount));
+
+function paint(slider: HTMLElement | undefined, { value, min, max, neutral }: Pick<Amount, "value" | "min" | "max" | "neutral">): void {
   if (!slider) return;
   const share = (at: number) => (Math.min(Math.max(at, min), max) - min) / (max - min);
   const [from, to] = [share(neutral), share(value)].sort((one, other) => one - other) as [number, number];

@@ -61,17 +61,17 @@ function notes(session: Session | null, { failure }: StageState, { again, dismis
 
 /** What you see stays the last motion that could be made. */
 function trouble(problem: ApiError, session: Session): TemplateResult {
-  if (problem.transient) {
-    return html`<div class="note" role="status">${icon("cloud")}<p><b>The server cannot be reached.</b>
-      Your edits are kept here; the figure follows as soon as it answers.
-      <button class="link-button" type="button" @click=${() => session.retry()}>Try now</button></p></div>`;
-  }
+  if (problem.transient) return unreachable(() => session.retry());
   const step = session.faultyStep;
   const place = step === null ? "" : `Step ${step + 1}, ${inWords(session.steps[step]?.operation.split("@")[0] ?? "")}: `;
   return note(place + problem.message, problem.mend, html`<button class="link-button" type="button" @click=${() => session.undo()}>Undo the change</button>`);
 }
 
-const note = (message: string, mend: string | null, act: TemplateResult | typeof nothing = nothing) =>
+export const unreachable = (retry: () => void): TemplateResult => html`<div class="note" role="status">${icon("cloud")}<p><b>The server cannot be reached.</b>
+  Your edits are kept here; the figure follows as soon as it answers.
+  <button class="link-button" type="button" @click=${retry}>Try now</button></p></div>`;
+
+export const note = (message: string, mend: string | null, act: TemplateResult | typeof nothing = nothing) =>
   html`<div class="note note-bad" role="alert">${icon("warning")}<div><p><b>${message}</b></p>${mend ? html`<p>${mend}</p>` : nothing}<p>${act}</p></div></div>`;
 
 const empty = ({ failure }: StageState, { choose }: StageActs) => html`<div class="empty">

@@ -23,7 +23,7 @@ export interface TopState {
 
 export function topBar(session: Session | null, { original, busy, drawer }: TopState, acts: TopActs): TemplateResult {
   return html`<header class="studio-top">
-    <a class="brand" href="/" aria-label="Manner">${mark}<span>Manner</span></a>
+    ${brand}
     <nav class="crumbs" aria-label="Where you are"><a href="/library">Library</a><span aria-hidden="true">/</span></nav>
     ${session ? title(session, acts) : html`<h1>Studio</h1>`}
     ${session
@@ -60,4 +60,5 @@ function title(session: Session, { choose }: TopActs): TemplateResult {
       · <span role="status">${session.isSaved ? "saved" : "not saved"}</span></p></div>`;
 }
 
-const mark = html`<svg class="mark" viewBox="0 0 18 28" aria-hidden="true"><path d="M3.6 26.4 9.9 9.6c2.3 5 2.9 7 3.2 9.6l1 7"></path><circle cx="11" cy="4.6" r="3.4"></circle></svg>`;
+/** The way home. */
+export const brand = html`<a class="brand" href="/" aria-label="Manner"><svg class="mark" viewBox="0 0 18 28" aria-hidden="true"><path d="M3.6 26.4 9.9 9.6c2.3 5 2.9 7 3.2 9.6l1 7"></path><circle cx="11" cy="4.6" r="3.4"></circle></svg><span>Manner</span></a>`;

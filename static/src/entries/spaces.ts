@@ -1,0 +1,4 @@
+import "../styles/library.css";
+import "../styles/picker.css";
+import "../styles/space.css";
+import "../space/space_list";

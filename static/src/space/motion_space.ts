@@ -1,0 +1,287 @@
+// <motion-space>: authors a motion by how it feels. Left the sliders, right the mix of examples, below when.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import { keyed } from "lit/directives/keyed.js";
+import type { ApiError } from "../api";
+import type { ExportActs, Suffix } from "../studio/export_panel";
+import { asApiError } from "../studio/session";
+import { note, unreachable } from "../studio/stage_view";
+import type { MotionViewer } from "../viewer";
+import { language } from "../words";
+import { feelPanel, type FeelActs } from "./feel_panel";
+import { mixedContacts } from "./keytimes";
+import {
+  added, clustersOf, middle, mixed, moved, placeOfExample, removed, slidersOf, swapped, switched, weighed, type Kind, type Place,
+} from "./model";
+import type { Chosen, PairChooser } from "./pair_chooser";
+import * as server from "./server";
+import { SpaceSession } from "./session";
+import { spaceBar, type Drawer } from "./space_bar";
+import { weightsPanel, type WeightActs } from "./weights_panel";
+import { languagesOf } from "./words";
+import "../studio/time_strip";
+import "./pair_chooser";
+
+const FIGURE = 0;
+
+@customElement("motion-space")
+export class MotionSpace extends LitElement {
+  @property({ attribute: "space" }) wanted = "";
+  @state() private session: SpaceSession | null = null;
+  @state() private failure: ApiError | null = null;
+  @state() private drawer: Drawer | null = null;
+  @state() private busy = false;
+  @state() private said = "";
+  @state() private language = language();
+  @state() private stageViewer: MotionViewer | null = null;
+  @query("motion-viewer") private viewer!: MotionViewer | null;
+  @query("pair-chooser") private chooser!: PairChooser;
+  private shownAt = 0;
+  private readonly online = () => {
+    if (this.failure?.transient) void this.begin();
+    this.session?.retry();
+  };
+  private readonly keyDown = (event: KeyboardEvent) => this.onKey(event);
+
+  protected override createRenderRoot(): HTMLElement {
+    this.replaceChildren();
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    addEventListener("online", this.online);
+    addEventListener("keydown", this.keyDown);
+    void this.begin();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    removeEventListener("online", this.online);
+    removeEventListener("keydown", this.keyDown);
+  }
+
+  private begin(): Promise<void> {
+    return this.attempt(async () => this.open(await server.space(this.wanted)));
+  }
+
+  private open(space: server.Space): void {
+    this.wanted = space.id;
+    this.session = new SpaceSession(space, (glb, at) => this.put(glb, at), () => this.requestUpdate());
+    const spoken = this.languages;
+    if (spoken.length && !spoken.includes(this.language)) this.language = spoken[0]!;
+    history.replaceState(null, "", `/studio/spaces/${space.id}`);
+    document.title = `${space.name} · Spaces · Manner`;
+  }
+
+  private get languages(): string[] {
+    const { adjectives, features } = this.session!.space.definition;
+    return languagesOf(adjectives, features);
+  }
+
+  private put(glb: ArrayBuffer, askedAt: number): void {
+    this.viewer?.setMotion(FIGURE, glb);
+    this.shownAt = askedAt;
+    if (askedAt) performance.measure("manner:applied", { start: askedAt });
+  }
+
+  /** The motion of the last change is on the screen. */
+  private onMotion(): void {
+    if (this.shownAt) performance.measure("manner:change", { start: this.shownAt });
+    this.shownAt = 0;
+  }
+
+  private onReady(): void {
+    this.stageViewer = this.viewer;
+    this.session?.begin();
+  }
+
+  private async attempt(act: () => Promise<void> | void): Promise<void> {
+    this.busy = true;
+    try {
+      this.failure = null;
+      await act();
+    } catch (error) {
+      this.failure = asApiError(error);
+    } finally {
+      this.busy = false;
+    }
+  }
+
+  private move(change: (place: Place) => Place, control: string): void {
+    const { session } = this;
+    session?.move(change(session.place), control);
+  }
+
+  private save(): Promise<void> {
+    return this.attempt(async () => void (await this.session!.save()));
+  }
+
+  private download(suffix: Suffix): Promise<void> {
+    return this.attempt(async () => {
+      const id = await this.session!.save();
+      const link = document.createElement("a");
+      link.href = `/api/v1/clips/${id}.${suffix}`;
+      link.download = "";
+      link.click();
+    });
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const typing = (event.composedPath()[0] as HTMLElement).matches?.("input:not([type=range]), textarea, select");
+    if (!this.session || typing || this.querySelector("dialog[open]")) return;
+    const key = event.key.toLowerCase();
+    if (event.ctrlKey || event.metaKey) {
+      if (key !== "z" && key !== "y") return;
+      event.preventDefault();
+      if (key === "y" || event.shiftKey) this.session.redo();
+      else this.session.undo();
+    } else if (key === "escape") this.escape();
+  }
+
+  private escape(): void {
+    if (this.session?.looking !== null) return this.session?.look(null);
+    this.querySelector<HTMLElement>(".drawer-acts [aria-expanded=true]")?.focus();
+    this.drawer = null;
+  }
+
+  /** A pointer's gesture on any control is one entry of the history; when it happened is measured. */
+  private note(event: Event): void {
+    if (!this.session) return;
+    this.session.askedAt = event.timeStamp;
+    if (event.type === "pointerdown") {
+      this.session.history.hold();
+      addEventListener("pointerup", () => this.session?.history.release(), { once: true });
+      addEventListener("pointercancel", () => this.session?.history.release(), { once: true });
+    }
+  }
+
+  /** Where the mix lies on a slider. */
+  private whereIs(id: string, kind: Kind): number {
+    const { space, weights } = this.session!;
+    const slider = slidersOf(space, kind, this.language).find((one) => one.id === id);
+    return mixed(slider?.values ?? [], weights);
+  }
+
+  private choose({ id, instead }: Chosen): void {
+    const { by } = this.session!.place;
+    if (by === "weights") return;
+    const value = this.whereIs(id, by);
+    this.move((place) => (instead ? swapped(place, instead, id, value) : added(place, id, value)), "pairs");
+    void this.updateComplete.then(() => this.querySelector<HTMLElement>(`[data-slider="${id}"] input`)?.focus());
+  }
+
+  private openDrawer(name: Drawer): void {
+    this.drawer = this.drawer === name ? null : name;
+  }
+
+  private get feelActs(): FeelActs {
+    return {
+      by: (by) => this.move((place) => switched(place, by, this.session!.space, this.session!.weights), "interface"),
+      speak: (language) => (this.language = language),
+      set: (id, value) => this.move((place) => moved(place, { [id]: value }), id),
+      add: () => this.chooser.show(),
+      swap: (id) => this.chooser.show(id),
+      remove: (id) => {
+        this.move((place) => removed(place, id), "pairs");
+        void this.updateComplete.then(() => this.querySelector<HTMLElement>(".slider-acts button")?.focus());
+      },
+      middle: () => this.move(middle, "middle"),
+      weights: () => (this.drawer = "results"),
+    };
+  }
+
+  private get weightActs(): WeightActs & ExportActs {
+    return {
+      weigh: (clip, weight) => {
+        const { session } = this;
+        const byWeights = (place: Place) => switched(place, "weights", session!.space, session!.weights);
+        this.move((place) => weighed(byWeights(place), clip, weight), clip);
+      },
+      look: (index) => this.session!.look(this.session!.looking === index ? null : index),
+      join: () => {},
+      variant: async () => ({ ...(await this.session!.recipe()), name: this.session!.name || this.session!.suggestedName }),
+      download: (suffix) => void this.download(suffix),
+      copied: (words) => (this.said = words),
+    };
+  }
+
+  private goTo(index: number): void {
+    this.move((place) => placeOfExample(place, this.session!.space, index), "example");
+  }
+
+  private showExports(): void {
+    this.drawer = "results";
+    void this.updateComplete.then(() => this.querySelector<HTMLElement>("#export")?.focus());
+  }
+
+  protected override render(): TemplateResult {
+    const { session, drawer, busy } = this;
+    const note = { handleEvent: (event: Event) => this.note(event), capture: true };
+    const acts = {
+      undo: () => session?.undo(),
+      redo: () => session?.redo(),
+      exports: () => this.showExports(),
+      save: () => void this.save(),
+      drawer: (name: Drawer) => this.openDrawer(name),
+    };
+    return html`${spaceBar(session, { drawer, busy }, acts)}
+      <div class="studio space ${drawer ? `with-${drawer}` : ""}">
+        <aside class="side movement" aria-label="How it feels" @pointerdown=${note} @pointermove=${note} @keydown=${note} @input=${note}>
+          ${session ? feelPanel(session, { language: this.language, languages: this.languages, map: nothing }, this.feelActs) : nothing}</aside>
+        ${this.stage(session)}
+        ${session ? this.strip(session) : nothing}
+        <aside class="side results" aria-label="The mix" @pointerdown=${note} @pointermove=${note} @keydown=${note} @input=${note}>
+          ${session ? weightsPanel(session, { said: this.said, busy }, this.weightActs) : nothing}</aside>
+      </div>
+      ${session ? this.dialogs(session) : nothing}`;
+  }
+
+  private stage(session: SpaceSession | null): TemplateResult {
+    return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session !== null && !session.isShown}>
+      ${session ? this.figure(session.space) : nothing}
+      ${session && session.looking !== null ? this.looked(session, session.looking) : nothing}
+      <div class="stage-notes">${this.notes(session)}</div></section>`;
+  }
+
+  /** Another skeleton is another stage. */
+  private figure({ id, name, clips }: server.Space): TemplateResult {
+    const [first] = clips;
+    return html`${keyed(id, html`<motion-viewer theme="auto" controls="views" arrange="one" autoplay loop="on" label=${name}
+      @ready=${() => this.onReady()} @motion=${() => this.onMotion()}>
+      <motion-figure src=${first!.glb_url} figure=${first!.figure_url ?? nothing} as="clay" label="the mix"></motion-figure></motion-viewer>`)}`;
+  }
+
+  private looked(session: SpaceSession, index: number): TemplateResult {
+    return html`<div class="stage-tools looked" role="group" aria-label="Example"><p role="status"><span class="tiny">Example</span> <b>${session.space.clips[index]!.name}</b></p>
+      <button class="button" type="button" @click=${() => this.goTo(index)}>Go there</button>
+      <button class="button" type="button" @click=${() => session.look(null)}>Back to the mix</button></div>`;
+  }
+
+  private notes(session: SpaceSession | null): TemplateResult | typeof nothing {
+    if (session?.problem?.transient) return unreachable(() => session.retry());
+    if (session?.problem) {
+      const { message, mend } = session.problem;
+      return note(message, mend, html`<button class="link-button" type="button" @click=${() => session.undo()}>Undo the change</button>`);
+    }
+    if (!this.failure) return nothing;
+    const [words, act] = session ? ["All right", () => (this.failure = null)] as const : ["Load the space again", () => void this.begin()] as const;
+    return note(this.failure.message, this.failure.mend, html`<button class="link-button" type="button" @click=${act}>${words}</button>`);
+  }
+
+  private strip(session: SpaceSession): TemplateResult {
+    return html`<section class="studio-strip" aria-label="When"><time-strip .viewer=${this.stageViewer}
+      .contacts=${mixedContacts(session)} .findings=${null}></time-strip></section>`;
+  }
+
+  private dialogs({ place, space }: SpaceSession): TemplateResult {
+    const { by } = place;
+    if (by === "weights") return html`${nothing}`;
+    const sliders = space.definition[by];
+    const all = slidersOf(space, by, this.language);
+    const clusters = sliders ? clustersOf(sliders, all, this.language) : [];
+    const named = clusters.map(({ title, pairs }) => ({ title, pairs: pairs.map((pair) => ({ ...pair, title: pair.reach ? pair.title : undefined })) }));
+    return html`<pair-chooser heading=${by === "adjectives" ? "Choose a pair" : "Choose a feature"} .clusters=${named}
+      .taken=${Object.keys(place[by])} @choose=${({ detail }: CustomEvent<Chosen>) => this.choose(detail)}></pair-chooser>`;
+  }
+}

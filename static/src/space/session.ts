@@ -1,0 +1,169 @@
+// One space being authored in: where one stands, what was before, the motion on the stage, what is saved.
+import { api, type ApiError } from "../api";
+import { History } from "../studio/history";
+import { Latest } from "../studio/latest";
+import { freeName } from "../studio/names";
+import type { Edited } from "../studio/server";
+import * as studio from "../studio/server";
+import { asApiError, type Show } from "../studio/session";
+import { pointOf, start, type Place } from "./model";
+import * as server from "./server";
+
+/** What undo and redo go through: the place, and the events that were moved in examples. */
+export interface State {
+  readonly place: Place;
+  readonly keytimes: Readonly<Record<string, server.Keytimes>>;
+}
+
+const AGAIN_AFTER = 2000;
+
+export class SpaceSession {
+  readonly history: History<State>;
+  name = "";
+  saved: { id: string; name: string; place: Place } | null = null;
+  /** Of the motion on the stage: the examples' weights, in their order, and how far outside of them it is. */
+  weights: readonly number[];
+  outside = 0;
+  problem: ApiError | null = null;
+  /** The moment of the event that asks for the next motion; 0 where none is measured. */
+  askedAt = 0;
+  /** The example that is looked at instead of the mix. */
+  looking: number | null = null;
+  private shown: Place | null = null;
+  private isReady = false;
+  private readonly shows = new Latest<Place>((place) => this.show(place));
+  private readonly looks = new Latest<number>((index) => this.showExample(index));
+  private readonly files = new Map<string, ArrayBuffer>();
+
+  constructor(readonly space: server.Space, private readonly stage: Show, private readonly changed: () => void) {
+    const place = start(space);
+    this.history = new History<State>({ place, keytimes: {} });
+    this.weights = Object.values(place.weights);
+  }
+
+  get place(): Place {
+    return this.history.present.place;
+  }
+
+  /** The stage shows the place as it stands. */
+  get isShown(): boolean {
+    return this.shown === this.place;
+  }
+
+  get isSaved(): boolean {
+    return this.saved !== null && this.saved.place === this.place && (!this.name || this.name === this.saved.name);
+  }
+
+  get suggestedName(): string {
+    return `${this.space.name} mix`;
+  }
+
+  /** The stage can take motions. */
+  begin(): void {
+    this.isReady = true;
+    this.shown = null;
+    this.refresh();
+  }
+
+  move(place: Place, control: string): void {
+    this.looking = null;
+    this.history.set({ ...this.history.present, place }, control);
+    this.refresh();
+  }
+
+  undo(): void {
+    this.history.undo();
+    this.refresh();
+  }
+
+  redo(): void {
+    this.history.redo();
+    this.refresh();
+  }
+
+  call(name: string): void {
+    this.name = name;
+    this.changed();
+  }
+
+  retry(): void {
+    if (this.problem) this.refresh();
+  }
+
+  /** An example's events: as they were moved, or as the space has them. */
+  keytimesOf(index: number): server.Keytimes {
+    const { clip, keytimes } = this.space.definition.examples[index]!;
+    return this.history.present.keytimes[clip] ?? (keytimes as server.Keytimes);
+  }
+
+  setKeytimes(index: number, keytimes: server.Keytimes, control: string): void {
+    const { clip } = this.space.definition.examples[index]!;
+    const { place, keytimes: others } = this.history.present;
+    this.history.set({ place, keytimes: { ...others, [clip]: keytimes } }, control);
+    this.changed();
+  }
+
+  /** Look at an example as it is; null goes back to the mix. */
+  look(index: number | null): void {
+    this.looking = index;
+    if (index === null) this.refresh(true);
+    else this.looks.ask(index);
+    this.changed();
+  }
+
+  recipe(): Promise<Edited> {
+    return server.recipe(this.space.id, pointOf(this.place));
+  }
+
+  /** Keep the mix as a clip of the library; tells its id. */
+  async save(): Promise<string> {
+    if (this.isSaved) return this.saved!.id;
+    const { place } = this;
+    const [edited, clips] = await Promise.all([this.recipe(), studio.clips()]);
+    const wanted = this.name || this.suggestedName;
+    const others = clips.filter(({ id }) => id !== this.saved?.id).map(({ name }) => name);
+    const name = freeName(wanted, others);
+    const clip = await studio.save(edited, name);
+    const named = [name, wanted].includes(clip.name) ? clip : await studio.rename(clip.id, name);
+    this.saved = { id: named.id, name: named.name, place };
+    this.name = named.name;
+    this.changed();
+    return named.id;
+  }
+
+  private refresh(again = false): void {
+    if (this.place.by === "weights") this.weights = Object.values(this.place.weights);
+    if (this.isReady && (again || !this.isShown)) this.shows.ask(this.place);
+    this.changed();
+  }
+
+  private async show(place: Place): Promise<void> {
+    const { askedAt } = this;
+    this.askedAt = 0;
+    try {
+      const { glb, weights, outside } = await server.motion(this.space.id, pointOf(place));
+      if (this.looking === null) this.stage(glb, askedAt);
+      if (this.place.by !== "weights") this.weights = weights;
+      this.outside = outside;
+      this.shown = place;
+      this.problem = null;
+    } catch (error) {
+      this.problem = asApiError(error);
+      if (this.problem.transient) setTimeout(() => this.retry(), AGAIN_AFTER);
+    }
+    this.changed();
+  }
+
+  private async showExample(index: number): Promise<void> {
+    const address = this.space.clips[index]!.glb_url;
+    try {
+      const glb = this.files.get(address) ?? (await api.bytes(address));
+      this.files.set(address, glb);
+      if (this.looking === index) this.stage(glb, 0);
+    } catch (error) {
+      this.looking = null;
+      this.problem = asApiError(error);
+    }
+    this.changed();
+  }
+}

@@ -1,0 +1,118 @@
+// <space-list>: every authoring space, and the form that makes one from clips.
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import type { ApiError } from "../api";
+import { problemNote } from "../graph/problem";
+import { icon } from "../icons";
+import type { ClipPicker } from "../studio/picker";
+import type { Clip } from "../studio/server";
+import * as studio from "../studio/server";
+import { asApiError } from "../studio/session";
+import * as server from "./server";
+import { lineWords } from "./list_words";
+import "../studio/picker";
+import "../viewer";
+
+/** Fewer span nothing, more are not taken. */
+const LEAST = 2;
+const MOST = 64;
+
+@customElement("space-list")
+export class SpaceList extends LitElement {
+  @state() private spaces: server.SpaceLine[] | undefined;
+  @state() private clips: Clip[] = [];
+  @state() private chosen: readonly string[] = [];
+  @state() private problem: ApiError | null = null;
+  @state() private refused: ApiError | null = null;
+  @state() private making = false;
+  @query(".make-dialog") private dialog!: HTMLDialogElement;
+  @query("clip-picker") private picker!: ClipPicker;
+
+  protected override createRenderRoot(): HTMLElement {
+    this.replaceChildren();
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    void this.load();
+  }
+
+  private async load(): Promise<void> {
+    try {
+      this.spaces = await server.spaces();
+      this.problem = null;
+    } catch (error) {
+      this.problem = asApiError(error);
+    }
+  }
+
+  private async begin(): Promise<void> {
+    this.refused = null;
+    this.dialog.showModal();
+    try {
+      this.clips = await studio.clips();
+    } catch (error) {
+      this.refused = asApiError(error);
+    }
+  }
+
+  private async make(name: string): Promise<void> {
+    this.making = true;
+    this.refused = null;
+    try {
+      location.assign(`/studio/spaces/${(await server.make(name, this.chosen)).id}`);
+    } catch (error) {
+      this.refused = asApiError(error);
+      this.making = false;
+    }
+  }
+
+  protected override render(): TemplateResult {
+    const { spaces, problem } = this;
+    return html`<header class="page-header"><h1>Spaces</h1><div class="buttons">
+        <button class="button ${spaces?.length ? "" : "primary"}" type="button" @click=${() => void this.begin()}>${icon("plus")}Make a space from clips</button></div></header>
+      <p class="lede">In a space you make a motion by saying how it feels: example motions are mixed as the sliders ask.</p>
+      ${problem ? problemNote(problem, () => void this.load()) : spaces ? this.list(spaces) : html`<p class="quiet" role="status">The spaces are on their way.</p>`}
+      ${this.form()}
+      <clip-picker several .clips=${this.clips} @pick=${({ detail }: CustomEvent<readonly string[]>) => this.add(detail)}></clip-picker>`;
+  }
+
+  private list(spaces: readonly server.SpaceLine[]): TemplateResult {
+    if (!spaces.length) {
+      return html`<div class="empty"><h2 class="figure-title">No space yet</h2>
+        <p>Freeze one from the impressions of a study with adjectives, or make one from clips: its sliders are then features of their motion.</p></div>`;
+    }
+    return html`<ul class="rows space-rows">${spaces.map((space) => html`<li class=${space.newest ? "" : "older"}>
+      <h2 class="figure-title"><a href="/studio/spaces/${space.id}">${space.name}</a></h2>
+      <p class="tiny"><span class="tag">version ${space.number}</span>${space.simulated ? html` <span class="tag">simulated raters</span>` : nothing}
+        ${lineWords(space)}</p></li>`)}</ul>`;
+  }
+
+  private add(clips: readonly string[]): void {
+    this.chosen = [...new Set([...this.chosen, ...clips])];
+  }
+
+  private form(): TemplateResult {
+    const { chosen, making, refused } = this;
+    const named = new Map(this.clips.map(({ id, name }) => [id, name]));
+    const submit = (event: SubmitEvent) => {
+      event.preventDefault();
+      void this.make(String(new FormData(event.target as HTMLFormElement).get("name")).trim());
+    };
+    const fits = chosen.length >= LEAST && chosen.length <= MOST;
+    return html`<dialog class="space-dialog make-dialog" aria-labelledby="make-title"><form @submit=${submit}>
+      <header><h2 class="figure-title" id="make-title">Make a space from clips</h2>
+        <button class="button quiet" type="button" @click=${() => this.dialog.close()}>Close</button></header>
+      <p class="quiet">Clips of one skeleton, one cycle each where they walk. Nobody has to rate them: the sliders are features of their motion.</p>
+      <label class="field"><span class="label">Name</span><input class="input" name="name" required maxlength="200" autocomplete="off"></label>
+      <div class="field"><span class="label" id="chosen-title">Clips</span>
+        ${chosen.length ? html`<ul class="chosen-clips" aria-labelledby="chosen-title" tabindex="0">${chosen.map((id) => html`<li><span>${named.get(id) ?? id}</span>
+          <button class="link-button" type="button" aria-label="Leave out ${named.get(id)}" @click=${() => (this.chosen = chosen.filter((one) => one !== id))}>Leave out</button></li>`)}</ul>` : nothing}
+        <button class="button" type="button" @click=${() => this.picker.show()}>${icon("plus")}Choose clips</button></div>
+      ${refused ? problemNote(refused) : nothing}
+      <footer><p class="tiny" role="status">${chosen.length} chosen, ${LEAST} to ${MOST} make a space.</p>
+        <button class="button primary" type="submit" ?disabled=${!fits || making}>${making ? "Being made" : "Make the space"}</button></footer>
+    </form></dialog>`;
+  }
+}

@@ -1,0 +1,33 @@
+// Ways to take a motion along: as a file, as its recipe, as a call of the API.
+import { html, type TemplateResult } from "lit";
+import { icon } from "../icons";
+import { asCurl, asPython, asRecipe, type Variant } from "./exports";
+
+export type Suffix = "bvh" | "glb" | "json";
+
+export interface ExportActs {
+  /** What is on the stage, as a recipe. */
+  variant(): Promise<Variant>;
+  download(suffix: Suffix): void;
+  copied(text: string): void;
+}
+
+/** `said`: what was copied, in words. */
+export function exportPanel({ said, busy }: { said: string; busy: boolean }, { variant, download, copied }: ExportActs): TemplateResult {
+  const copy = (write: (variant: Variant) => string, what: string) => async () => {
+    await navigator.clipboard.writeText(write(await variant()));
+    copied(`${what} copied`);
+  };
+  const file = (suffix: Suffix, words: string) => html`<button class="button" type="button"
+    ?disabled=${busy} title=${words} @click=${() => download(suffix)}>${icon("download")}${suffix.toUpperCase()}</button>`;
+  const server = location.origin;
+  return html`<section class="exports" id="export" tabindex="-1"><header><h2>Export</h2><span class="tiny" role="status">${said}</span></header>
+    <div class="files" role="group" aria-label="Download">${file("glb", "With its figure, for 3D programs")}${file("bvh", "For animation programs")}${file("json", "Everything as numbers")}</div>
+    <ul>
+      <li><button class="link-button" type="button" @click=${copy(asRecipe, "Recipe")}>${icon("copy")}Copy as recipe</button></li>
+      <li><button class="link-button" type="button" @click=${copy((one) => asCurl(one, server), "Call")}>${icon("copy")}Copy as curl call</button></li>
+      <li><button class="link-button" type="button" @click=${copy((one) => asPython(one, server), "Program")}>${icon("copy")}Copy as Python</button></li>
+    </ul>
+    <p class="hint">The calls read an <a href="/research/keys">API key</a> from MANNER_KEY.</p>
+    <a class="make-set" href="/research/sets">${icon("sets")}Make a set</a></section>`;
+}
