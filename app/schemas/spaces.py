@@ -264,7 +264,8 @@ class PredictedParameter(BaseModel):
 
     Attributes:
         value, low, high: the prediction and its 95 % interval, 0 to 1; None where refused.
-        error, error_of_mean: root mean square of leaving one out, and of always saying the mean.
+        error, error_of_mean: root mean square of leaving one out, and of always saying the mean;
+            None where too few clips were rated to tell.
         sentence: how good it is, or why it is refused.
     """
 
@@ -275,8 +276,8 @@ class PredictedParameter(BaseModel):
     value: float | None
     low: float | None
     high: float | None
-    error: float
-    error_of_mean: float
+    error: float | None
+    error_of_mean: float | None
     sentence: str
 
 

@@ -3680,7 +3680,8 @@ export interface components {
          *
          *     Attributes:
          *         value, low, high: the prediction and its 95 % interval, 0 to 1; None where refused.
-         *         error, error_of_mean: root mean square of leaving one out, and of always saying the mean.
+         *         error, error_of_mean: root mean square of leaving one out, and of always saying the mean;
+         *             None where too few clips were rated to tell.
          *         sentence: how good it is, or why it is refused.
          */
         PredictedParameter: {
@@ -3697,9 +3698,9 @@ export interface components {
             /** High */
             high: number | null;
             /** Error */
-            error: number;
+            error: number | null;
             /** Error Of Mean */
-            error_of_mean: number;
+            error_of_mean: number | null;
             /** Sentence */
             sentence: string;
         };

@@ -10,7 +10,15 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from tests.bench import api_rows, batch_rows, editing_rows, live_rows, motion_rows, web_rows
+from tests.bench import (
+    api_rows,
+    batch_rows,
+    editing_rows,
+    live_rows,
+    motion_rows,
+    space_rows,
+    web_rows,
+)
 from tests.bench.measure import RUNS, Row
 
 SECTIONS = {
@@ -18,6 +26,7 @@ SECTIONS = {
     "editing": editing_rows.rows,
     "api": api_rows.rows,
     "batch": batch_rows.rows,
+    "spaces": space_rows.rows,
     "live": live_rows.rows,
     "web": web_rows.rows,
 }
