@@ -19,6 +19,9 @@ FEATURE_GROUPS: Mapping[str, str] = {
 """Id and title of the paper's four groups of features."""
 
 
+_LEAST = {"°": 0.5, "m": 0.005, "m/s": 0.01, "s": 0.02}
+
+
 @dataclass(frozen=True)
 class Feature:
     """One number about a clip.
@@ -38,6 +41,11 @@ class Feature:
     unit: str
     definition: str
     positive: str
+
+    @property
+    def least(self) -> float:
+        """The least difference that means anything: what is lost between frame rates and steps."""
+        return _LEAST[self.unit]
 
     @property
     def description(self) -> str:

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from app.statistics.prediction import LEAST_EXAMPLES, PENALTIES, fit
+from app.statistics.prediction import LEAST_EXAMPLES, fit
+from app.statistics.ridge import PENALTIES
 
 
 def motions(generator, count, features=51, latent=5):
@@ -35,6 +36,17 @@ def ridge(x, y, penalty):
     strength = penalty * np.sum(z**2)
     slopes = np.linalg.solve(z.T @ z + strength * np.eye(z.shape[1]), z.T @ (y - y.mean())) / scale
     return y.mean() - x.mean(axis=0) @ slopes, slopes
+
+
+def uncertainty(x, at, penalty):
+    """(M,) from the whole inverse of the normal equations."""
+    scale = x.std(axis=0)
+    z, new = (x - x.mean(axis=0)) / scale, (at - x.mean(axis=0)) / scale
+    spread = np.zeros(len(at))
+    if np.isfinite(penalty):
+        inverse = np.linalg.inv(z.T @ z + penalty * np.sum(z**2) * np.eye(z.shape[1]))
+        spread = np.einsum("mf,fg,mg->m", new, inverse, new)
+    return np.sqrt(1 + 1 / len(x) + spread)
 
 
 def left_out_error(x, y, penalty):
@@ -70,22 +82,23 @@ def test_models_penalties_errors_and_intervals_are_those_of_refitting_by_brute_f
     found = fit(x, y, level=0.8)
     values, low, high = found.predict(new)
     for k in range(3):
-        assert found.penalties[k] == best(x, y[:, k])
-        constant, slopes = ridge(x, y[:, k], found.penalties[k])
-        np.testing.assert_allclose(found.models.slopes[:, k], slopes, rtol=1e-9, atol=1e-9)
+        assert found.model.penalties[k] == best(x, y[:, k])
+        constant, slopes = ridge(x, y[:, k], found.model.penalties[k])
+        value = constant + new @ slopes
+        np.testing.assert_allclose(found.model.of(new)[:, k], value, rtol=1e-9, atol=1e-9)
         own, lows, highs = [], [], []
         for i in range(count):
             a, b = np.delete(x, i, axis=0), np.delete(y[:, k], i)
-            c, s = ridge(a, b, best(a, b))
-            off = y[i, k] - (c + x[i] @ s)
-            own.append(off)
-            lows.append(c + new @ s - abs(off))
-            highs.append(c + new @ s + abs(off))
+            penalty = best(a, b)
+            c, s = ridge(a, b, penalty)
+            own.append(y[i, k] - (c + x[i] @ s))
+            score = abs(own[-1]) / uncertainty(a, x[i : i + 1], penalty)
+            lows.append(c + new @ s - score * uncertainty(a, new, penalty))
+            highs.append(c + new @ s + score * uncertainty(a, new, penalty))
         assert found.error[k] == pytest.approx(np.sqrt(np.mean(np.square(own))), abs=1e-9)
         if found.refused[k]:
             continue
         rank = int(np.ceil(0.8 * (count + 1)))
-        value = constant + new @ slopes
         lowest = np.minimum(np.sort(lows, axis=0)[count - rank], value)
         highest = np.maximum(np.sort(highs, axis=0)[rank - 1], value)
         for ours, theirs in ((values, value), (low, lowest), (high, highest)):
@@ -127,7 +140,7 @@ def test_the_error_that_is_told_is_that_of_new_clips():
         causes, x = motions(generator, 30)
         found = fit(x, felt(causes, 0.06, generator))
         unseen, new = motions(generator, 300)
-        off = found.models.of(new) - felt(unseen, 0.06, generator)
+        off = found.model.of(new) - felt(unseen, 0.06, generator)
         told.append(np.mean(found.error**2))
         made.append(np.mean(off**2))
     assert np.sqrt(np.mean(told)) == pytest.approx(np.sqrt(np.mean(made)), rel=0.1)
@@ -208,16 +221,36 @@ def test_units_order_and_features_that_do_not_vary_make_no_difference():
         np.testing.assert_allclose(other, expected, atol=1e-9)
 
 
-def test_a_clip_unlike_all_examples_is_told_from_one_like_them():
+def test_a_clip_unlike_all_examples_gets_an_interval_that_says_so():
     generator = np.random.default_rng(31)
-    causes, x = motions(generator, 20)
-    x[:, 4] = 0.5
+    causes, x = motions(generator, 30)
     found = fit(x, felt(causes, 0.05, generator))
-    strange = x[:1].copy()
-    strange[0, 3] = x[:, 3].mean() + 9 * x[:, 3].std()
-    assert np.abs(found.deviations(x)).max() < 4.5
-    assert found.deviations(strange)[0, 3] == pytest.approx(9.0)
-    assert found.deviations(strange)[0, 4] == 0.0
+    assert not found.refused.any()
+    middle = x.mean(axis=0)
+    way = generator.normal(size=51) * x.std(axis=0)
+    widths = []
+    for far in (0.0, 1.0, 3.0, 30.0):
+        _, low, high = found.predict((middle + far * way)[None])
+        widths.append((high - low)[0])
+    assert (np.diff(widths, axis=0) >= 0).all()
+    assert (widths[0] < 0.4).all()
+    np.testing.assert_array_equal(widths[-1], 1.0)
+
+
+def test_features_that_hardly_vary_do_not_decide_where_the_least_is_said():
+    generator = np.random.default_rng(53)
+    causes, x = motions(generator, 30)
+    x[:, 7] = 2.0 + 1e-4 * generator.normal(size=30)
+    y = felt(causes, 0.02, generator)
+    least = np.zeros(51)
+    least[7] = 0.5
+    other = x[:1].copy()
+    other[0, 7] += 0.5
+    changes = []
+    for found in (fit(x, y), fit(x, y, least=least)):
+        changes.append(np.abs(found.model.of(other) - found.model.of(x[:1])).max())
+    assert changes[0] > 1.0
+    assert changes[1] < 0.01
 
 
 # --- refusals

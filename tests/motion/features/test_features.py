@@ -73,6 +73,7 @@ def test_each_says_its_unit_definition_and_positive_direction(feature):
     assert feature.definition.endswith(".")
     assert feature.positive.startswith(("Positive: ", "Greater: "))
     assert feature.description == f"{feature.definition} {feature.positive}"
+    assert 0 < feature.least <= 0.5
 
 
 # --- known values
