@@ -110,11 +110,11 @@ class Blender:
         directions = np.ascontiguousarray(mixed[:, : 6 * joints]).reshape(-1, joints, 6)
         rotations = make_continuous(from_directions(directions))
         root = mixed[:, 6 * joints : 6 * joints + 3] + gone
-        travel = shares @ self._travel[chosen]
-        feet = self._feet(chosen, shares, mixed[:, 6 * joints + 3 :], gone, gone[0] + travel)
+        feet = self._feet(chosen, shares, mixed[:, 6 * joints + 3 :], gone)
         if feet:
             onto_feet(self.skeleton, pose_to_world(self.skeleton, root, rotations), rotations, feet)
         if self.cyclic:
+            travel = shares @ self._travel[chosen]
             root = np.concatenate([root, root[:1] + travel])
             rotations = np.concatenate([rotations, rotations[:1]])
         clip = Clip(self.skeleton, root, rotations, float(self._steps[chosen].min()), self.cyclic)
@@ -184,14 +184,14 @@ class Blender:
         shares: Array,
         columns: Array,
         gone: Array,
-        after: Array,
     ) -> list[BlendedFoot]:
         feet, start = [], 0
+        travel = shares @ self._travel[chosen] if self.cyclic else None
         for foot, soles in zip(self._examples[0].feet, self._soles, strict=True):
-            width = 10 + 6 * len(soles)
+            width = 10 + 3 * len(soles)
             offsets = [shares @ sole[chosen] for sole in soles]
             part = np.ascontiguousarray(columns[:, start : start + width])
-            feet.append(BlendedFoot.read(foot, offsets, part, gone, after))
+            feet.append(BlendedFoot.read(foot, offsets, part, gone, travel))
             start += width
         return feet
 

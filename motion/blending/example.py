@@ -172,5 +172,5 @@ def _signals(clip: Clip, feet: tuple[Foot, ...], firm: list[list[Array]]) -> Arr
         columns += [np.min(soles, axis=0)[:, 1:2]]
         for places, share in zip(soles, stands, strict=True):
             steps = np.diff(places, axis=0, append=places[-1:]) * (clip.frames - 1)
-            columns += [places - gone, share[:, None], share[:, None] * steps[:, [0, 2]]]
+            columns += [share[:, None], share[:, None] * steps[:, [0, 2]]]
     return np.ascontiguousarray(np.hstack(columns)[:count])

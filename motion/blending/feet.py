@@ -23,38 +23,29 @@ _HINT = 0.01  # m: how much a straight knee is told which way is ahead
 
 @dataclass(frozen=True, eq=False)
 class SolePoint:
-    """Means of the examples' signals of one point of a sole.
+    """A point of a sole in a blend.
 
     Attributes:
         joint: that carries it.
         offset: (3,) in the joint's frame, m.
-        place: (T, 3) m.
-        stands: (T,) how much the foot stands on it, from 0 to 1 as soon as some examples do.
-        excess: (T, 2) level velocity, in m by the length of the blend, that it has because other
-            examples' points have left their place already.
+        stands: (T,) how much the foot stands on it: from 0 to 1 as soon as some examples do.
+        way: (T, 2) level way to the next frame of the examples that stand, m, times ``stands``:
+            in recordings they are not quite still.
     """
 
     joint: int
     offset: Array
-    place: Array
     stands: Array
-    excess: Array
+    way: Array
 
     @classmethod
-    def read(
-        cls, joint: int, offset: Array, columns: Array, gone: Array, after: Array
-    ) -> SolePoint:
-        """From the blended columns (T, 6), the travel (T, 3) and that after the last (3,)."""
-        place = columns[:, :3] + gone
-        part = np.clip(columns[:, 3] / _FULLY, 0.0, 1.0)
+    def read(cls, joint: int, offset: Array, columns: Array) -> SolePoint:
+        """From the blended columns (T, 3): how firmly it stands, and its velocity times that."""
+        firm = columns[:, 0]
+        part = np.clip(firm / _FULLY, 0.0, 1.0)
         slope = part * (3.0 - 2.0 * part)  # of the smooth step from 0 to 1, seen from 0
-        stands = part * slope
-        ahead = np.concatenate([place[1:], (columns[0, :3] + after)[None]])
-        velocity = (ahead - place)[:, [0, 2]] * len(place)
-        # Less the mean velocity of the points that stand, which are not quite still in recordings.
-        still = np.where(part < 1.0, slope / _FULLY, 1.0 / np.maximum(columns[:, 3], _FULLY))
-        excess = stands[:, None] * velocity - still[:, None] * columns[:, 4:6]
-        return cls(joint, offset, place, stands, excess)
+        by = np.where(part < 1.0, slope / _FULLY, 1.0 / np.maximum(firm, _FULLY))
+        return cls(joint, offset, part * slope, by[:, None] * columns[:, 1:3] / len(columns))
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +58,7 @@ class BlendedFoot:
         turn: (T, 4) world rotation.
         lowest: (T,) m, height of the lowest point of the sole.
         points: of its sole.
+        travel: (3,) m, from the first frame to the one after the last; None if there is none.
     """
 
     foot: Foot
@@ -74,65 +66,69 @@ class BlendedFoot:
     turn: Array
     lowest: Array
     points: tuple[SolePoint, ...]
+    travel: Array | None
 
     @classmethod
     def read(
-        cls, foot: Foot, offsets: Sequence[Array], columns: Array, gone: Array, after: Array
+        cls,
+        foot: Foot,
+        offsets: Sequence[Array],
+        columns: Array,
+        gone: Array,
+        travel: Array | None,
     ) -> BlendedFoot:
-        """From the blended columns (T, 10 + 6 a point); ``gone`` (T, 3) is the travel.
-
-        ``after`` (3,) is the travel one frame after the last.
-        """
-        points = []
-        for index, (point, offset) in enumerate(zip(foot.points, offsets, strict=True)):
-            part = columns[:, 10 + 6 * index : 16 + 6 * index]
-            points.append(SolePoint.read(point.joint, offset, part, gone, after))
+        """From the blended columns (T, 10 + 3 a point); ``gone`` (T, 3) is the travel till then."""
+        points = tuple(
+            SolePoint.read(point.joint, offset, columns[:, start : start + 3])
+            for point, offset, start in zip(foot.points, offsets, (10, 13), strict=False)
+        )
         turn = from_directions(columns[:, 3:9])
-        return cls(foot, columns[:, :3] + gone, turn, columns[:, 9], tuple(points))
+        return cls(foot, columns[:, :3] + gone, turn, columns[:, 9], points, travel)
 
     def goal(self, pose: WorldPose) -> Array:
-        """(T, 3) place of the ankle that leaves the point on which the foot stands in its place.
+        """(T, 3) place of the ankle, such that the point on which the foot stands keeps its place.
 
-        A mean of turned feet is a little shorter than they are: without this the heel would move
-        by some millimetres while it stands.
+        It is the mean of the examples' ankles, less what the sole would slide: examples do not
+        roll over their feet alike, and a mean of turned feet is a little shorter than they are.
+        While it stands, the lowest point of the sole is as high as the examples' in the mean.
         """
+        soles = self._soles(pose)
+        goal = self.ankle.copy()
+        goal[:, [0, 2]] -= self._slid(soles)
+        lowest = np.min([sole[:, 1] for sole in soles], axis=0)
+        goal[:, 1] += (1.0 - self._swings()) * (self.lowest - lowest)
+        return goal
+
+    def _soles(self, pose: WorldPose) -> list[Array]:
+        """Where (T, 3) each point is if the ankle is at its mean place."""
         ankle = self.foot.ankle
-        back = conjugate(pose.rotations[:, ankle])
-        change, heights = np.zeros_like(self.ankle), []
-        for point, share in zip(self.points, self._shares(), strict=True):
-            here = pose.positions[:, point.joint]
+        turn = multiply(self.turn, conjugate(pose.rotations[:, ankle]))
+        found = []
+        for point in self.points:
+            here = pose.positions[:, point.joint] - pose.positions[:, ankle]
             here = here + rotate(pose.rotations[:, point.joint], point.offset)
-            reach = rotate(self.turn, rotate(back, here - pose.positions[:, ankle]))
-            change += share * (point.place - self.ankle - reach)
-            heights.append(self.ankle[:, 1] + reach[:, 1])
-        change[:, [0, 2]] -= self._drift()
-        change[:, 1] = (1.0 - self._swings()) * (self.lowest - np.min(heights, axis=0))
-        return self.ankle + change
+            found.append(self.ankle + rotate(turn, here))
+        return found
 
     def _swings(self) -> Array:
         """(T,) 1 in the air, 0 while a point of the sole stands."""
         return np.asarray(np.prod([1.0 - point.stands for point in self.points], axis=0))
 
-    def _shares(self) -> list[Array]:
-        """For each point how much (T, 1) it tells the foot's place."""
-        total = np.maximum(sum(point.stands for point in self.points), 1.0)
-        return [(point.stands / total)[:, None] for point in self.points]
-
-    def _drift(self) -> Array:
-        """(T, 2) level way that the standing foot has slid, m; taken back while it swings.
-
-        Examples do not leave the floor with the same point at the same time: while one of them
-        stands, the mean of all would slide with those that are off.
-        """
-        shares = self._shares()
-        rate = np.sum([s * p.excess for s, p in zip(shares, self.points, strict=True)], axis=0)
-        swings = self._swings()[:, None]
-        if swings.sum() < 1.0:
-            swings = np.ones_like(swings)
-        rate = (rate - rate.sum(axis=0) * swings / swings.sum()) / len(rate)
-        drift = np.cumsum(rate, axis=0) - rate
-        stands = 1.0 - swings + 1e-9
-        return np.asarray(drift - (stands * drift).sum(axis=0) / stands.sum())
+    def _slid(self, soles: Sequence[Array]) -> Array:
+        """(T, 2) level way that the standing foot has slid, m; taken back while it swings."""
+        total = np.maximum(np.sum([point.stands for point in self.points], axis=0), 1.0)
+        ways = np.zeros((len(total), 2))
+        for point, sole in zip(self.points, soles, strict=True):
+            after = sole[-1:] if self.travel is None else sole[:1] + self.travel
+            way = np.diff(sole, axis=0, append=after)[:, [0, 2]]
+            ways += (point.stands[:, None] * way - point.way) / total[:, None]
+        back = self._swings() ** 2
+        if back.sum() < 1.0:
+            back = np.ones_like(back)
+        ways -= ways.sum(axis=0) * (back / back.sum())[:, None]
+        slid = np.cumsum(ways, axis=0) - ways
+        stands = 1.0 - self._swings() + 1e-9
+        return np.asarray(slid - (stands @ slid) / stands.sum())
 
 
 def onto_feet(
