@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Discriminator, Field, StringConstraints, Tag, model_validator
 
 from app.schemas.study.words import Name, Part, Short, Text, Words
 
 ClipRef = Annotated[str, Field(min_length=1, max_length=200)]
+SliderId = Annotated[str, StringConstraints(pattern=r"^[a-z0-9_]{1,64}$")]
 SpaceRef = Annotated[str, Field(min_length=1, max_length=200)]
 Interface = Literal["adjectives", "features", "weights"]
 """By what a motion is authored in a space: rated adjectives, measured features, bare weights."""
@@ -33,12 +34,20 @@ class Authored(Part):
 
     Attributes:
         space: the space's name, of which the newest version is taken, or its id.
-        values: slider to its position; those not named take no part.
+        values: slider to its position; those not named take no part. Of bare weights, an
+            example's clip id to its weight.
     """
 
     space: SpaceRef
     interface: Interface = "adjectives"
-    values: Annotated[dict[Name, Annotated[float, Field(ge=0, le=1)]], Field(min_length=1)]
+    values: Annotated[dict[SliderId, Annotated[float, Field(ge=0, le=1)]], Field(min_length=1)]
+
+
+def _made_of(given: object) -> str:
+    """Told apart by what it names, so that a fault is told of what its author meant."""
+    if isinstance(given, dict):
+        return "space" if "space" in given else "clip"
+    return "space" if isinstance(given, Authored) else "clip"
 
 
 class Stimulus(Part):
@@ -52,7 +61,13 @@ class Stimulus(Part):
     """
 
     clip: ClipRef | None = None
-    made: Made | Authored | None = None
+    made: (
+        Annotated[
+            Annotated[Made, Tag("clip")] | Annotated[Authored, Tag("space")],
+            Discriminator(_made_of),
+        ]
+        | None
+    ) = None
     name: Short | None = None
     label: Words | None = None
     body: Text | None = None
