@@ -17,6 +17,7 @@ from tests.bench import (
     live_rows,
     motion_rows,
     space_rows,
+    statistics_rows,
     web_rows,
 )
 from tests.bench.measure import RUNS, Row
@@ -28,6 +29,7 @@ SECTIONS = {
     "batch": batch_rows.rows,
     "spaces": space_rows.rows,
     "live": live_rows.rows,
+    "statistics": statistics_rows.rows,
     "web": web_rows.rows,
 }
 
