@@ -26,7 +26,6 @@ LEAST_EXAMPLES = 8
 _MARGIN = 5.0
 
 _NOTHING = 1e-9  # a spread that rounding leaves
-_REFUSED = "Not predicted"
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,23 +98,20 @@ def fit(
     Raises:
         ValueError: if there are fewer than 3 examples, or any number is missing.
     """
-    x, y = np.asarray(features, dtype=np.float64), np.asarray(impressions, dtype=np.float64)
-    if len(x) != len(y) or len(x) < 3:
-        raise ValueError(f"Prediction needs 3 or more rated clips: {len(x)} features, {len(y)}.")
-    if not (np.isfinite(x).all() and np.isfinite(y).all()):
-        raise ValueError("Every feature and impression of an example must be a number.")
+    x, y = _checked(features, impressions)
     count = len(x)
     left_out = tuple(
         fit_ridge(np.delete(x, i, axis=0), np.delete(y, i, axis=0), least) for i in range(count)
     )
-    rows = x[:, None, :]
-    off = np.stack([m.of(row)[0] for m, row in zip(left_out, rows, strict=True)]) - y
-    unsure = np.stack([m.uncertainty(row)[0] for m, row in zip(left_out, rows, strict=True)])
+    own = list(zip(left_out, x[:, None, :], strict=True))
+    off = np.stack([model.of(row)[0] for model, row in own]) - y
+    unsure = np.stack([model.uncertainty(row)[0] for model, row in own])
     error = np.sqrt(np.mean(off**2, axis=0))
     mean_error = y.std(axis=0) * count / (count - 1)  # of each by the mean of the others
     varies = mean_error > _NOTHING
     explained = np.where(varies, 1.0 - (error / np.where(varies, mean_error, 1.0)) ** 2, 0.0)
-    notes = [_note(count, *numbers) for numbers in zip(error, mean_error, explained, strict=True)]
+    numbers = list(zip(error, mean_error, explained, strict=True))
+    reasons = [_refusal(count, *row) for row in numbers]
     return Prediction(
         model=fit_ridge(x, y, least),
         left_out=left_out,
@@ -124,21 +120,44 @@ def fit(
         mean_error=mean_error,
         explained=explained,
         needed=_MARGIN / count,
-        refused=np.array([note.startswith(_REFUSED) for note in notes]),
-        notes=tuple(notes),
+        refused=np.array([reason is not None for reason in reasons]),
+        notes=tuple(_note(why, *row) for why, row in zip(reasons, numbers, strict=True)),
         level=min(count, int(np.ceil(level * (count + 1)))) / (count + 1),
     )
 
 
-def _note(count: int, error: float, mean_error: float, explained: float) -> str:
-    """Whether an adjective is predicted, and why or why not."""
+def _checked(features: Samples, impressions: Samples) -> tuple[Samples, Samples]:
+    x, y = np.asarray(features, dtype=np.float64), np.asarray(impressions, dtype=np.float64)
+    if len(x) != len(y) or len(x) < 3:
+        raise ValueError(
+            f"Prediction needs 3 or more rated clips: got features of {len(x)}, "
+            f"impressions of {len(y)}."
+        )
+    if not (np.isfinite(x).all() and np.isfinite(y).all()):
+        raise ValueError("Every feature and impression of an example must be a number.")
+    return x, y
+
+
+def _refusal(count: int, error: float, mean_error: float, explained: float) -> str | None:
+    """Why an adjective is not predicted; None if it is."""
     if count < LEAST_EXAMPLES:
-        return f"{_REFUSED}: {count} rated clips are too few, {LEAST_EXAMPLES} are needed."
+        return f"{count} rated clips are too few, {LEAST_EXAMPLES} are needed."
     if mean_error <= _NOTHING:
-        return f"{_REFUSED}: all rated clips make the same impression."
-    off = f"a clip left out is missed by {error:.2f}"
+        return "all rated clips make the same impression."
     if explained <= 0.0:
-        return f"{_REFUSED}: {off}, no better than the mean does with {mean_error:.2f}."
+        return f"{_missed(error)}, no better than the mean does with {mean_error:.2f}."
     if explained < _MARGIN / count:
-        return f"{_REFUSED}: {off}, by the mean by {mean_error:.2f}; that may be chance."
-    return f"Predicted: {off}, by the mean by {mean_error:.2f}; {explained:.0%} explained."
+        return f"{_missed(error)}, by the mean by {mean_error:.2f}; that may be chance."
+    return None
+
+
+def _note(refusal: str | None, error: float, mean_error: float, explained: float) -> str:
+    if refusal:
+        return f"Not predicted: {refusal}"
+    return (
+        f"Predicted: {_missed(error)}, by the mean by {mean_error:.2f}; {explained:.0%} explained."
+    )
+
+
+def _missed(error: float) -> str:
+    return f"a clip left out is missed by {error:.2f}"
