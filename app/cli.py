@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
-from app import cli_simulate, cli_studies
+from app import cli_recover, cli_simulate, cli_studies
 from app.errors import MannerError
 from app.persistence.engine import Database, make_engine
 from app.services import preparation, researchers
@@ -35,6 +35,7 @@ app = typer.Typer(
 )
 app.add_typer(cli_studies.app, name="study")
 app.command()(cli_simulate.simulate)
+app.command()(cli_recover.recover)
 console = Console(highlight=False)
 
 
