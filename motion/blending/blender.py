@@ -9,11 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
 
 from motion.blending.example import Example, turned
-from motion.blending.feet import BlendedFoot, onto_feet
+from motion.blending.feet import BlendedFoot, read_foot
+from motion.blending.legs import onto_feet
 from motion.blending.time_warp import common_order, first_event, warped
 from motion.clip import Clip
 from motion.errors import MotionError
-from motion.kinematics import pose_to_world
 from motion.rotations import from_directions, make_continuous
 
 Array = NDArray[np.float64]
@@ -111,13 +111,14 @@ class Blender:
         rotations = make_continuous(from_directions(directions))
         root = mixed[:, 6 * joints : 6 * joints + 3] + gone
         feet = self._feet(chosen, shares, mixed[:, 6 * joints + 3 :], gone)
+        step = float(self._steps[chosen].min())
         if feet:
-            onto_feet(self.skeleton, pose_to_world(self.skeleton, root, rotations), rotations, feet)
+            rotations = onto_feet(Clip(self.skeleton, root, rotations, step), feet)
         if self.cyclic:
             travel = shares @ self._travel[chosen]
             root = np.concatenate([root, root[:1] + travel])
             rotations = np.concatenate([rotations, rotations[:1]])
-        clip = Clip(self.skeleton, root, rotations, float(self._steps[chosen].min()), self.cyclic)
+        clip = Clip(self.skeleton, root, rotations, step, self.cyclic)
         return turned(clip, float(np.angle(shares @ np.exp(1j * self._turned[chosen]))))
 
     def _chosen(self, weights: ArrayLike) -> tuple[NDArray[np.intp], Array]:
@@ -191,7 +192,7 @@ class Blender:
             width = 10 + 3 * len(soles)
             offsets = [shares @ sole[chosen] for sole in soles]
             part = np.ascontiguousarray(columns[:, start : start + width])
-            feet.append(BlendedFoot.read(foot, offsets, part, gone, travel))
+            feet.append(read_foot(foot, offsets, part, gone, travel, float(shares @ shares)))
             start += width
         return feet
 

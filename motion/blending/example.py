@@ -9,9 +9,10 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from motion.blending.feet import firmness
 from motion.clip import Clip
 from motion.editing.cycles import three_cycles
-from motion.editing.foot_plants import SIDES, Foot, find_feet, motion_level
+from motion.editing.foot_plants import SIDES, Foot, find_feet
 from motion.errors import MotionError
 from motion.graph_window import frames_of
 from motion.kinematics import forward_kinematics
@@ -22,7 +23,6 @@ Array = NDArray[np.float64]
 
 _UP = np.array([0.0, 1.0, 0.0])
 _GOING = 0.2  # m a cycle: whoever goes less far has no heading but their body's
-_FIRM = 0.5  # of the limits of height and speed: below this share of them a point stands firmly
 _LEG = ("thigh", "shin", "foot")
 
 
@@ -78,8 +78,8 @@ def _prepared(clip: Clip, keytimes: tuple[tuple[str, float], ...], anchor: str |
         start = round(dict(keytimes)[anchor] / clip.frame_time) % (clip.frames - 1)
     begun = _begun_at(clip, start)
     aligned, turned = _aligned(begun)
-    feet, firm = _feet(aligned)
-    rows = _signals(aligned, feet, firm)
+    feet = _feet(aligned)
+    rows = _signals(aligned, feet)
     if not clip.cyclic:
         rows = np.vstack([2.0 * rows[:1] - rows[1:2], rows, 2.0 * rows[-1:] - rows[-2:-1]])
     phases = {name: moment / clip.duration for name, moment in keytimes}
@@ -132,45 +132,31 @@ def turned(clip: Clip, angle: float) -> Clip:
     return replace(clip, root_positions=root, rotations=rotations)
 
 
-def _feet(clip: Clip) -> tuple[tuple[Foot, ...], list[list[Array]]]:
-    """The feet, and for each point of their soles how firmly (F,) it stands in each frame.
-
-    1 where it is about at rest on the floor, 0 where it is too high or too fast to stand. Of a
-    cycle, what comes before and after is known.
-    """
+def _feet(clip: Clip) -> tuple[Foot, ...]:
+    """The feet with the points of their soles; none for a body without legs."""
     roles = clip.skeleton.roles
     if any(f"{side}_{part}" not in roles for side in SIDES for part in _LEG):
-        return (), []
-    longer = three_cycles(clip) if clip.cyclic else clip
-    part = slice(clip.frames - 1, 2 * clip.frames - 1) if clip.cyclic else slice(None)
-    pose = forward_kinematics(longer)
-    feet = find_feet(longer, pose)
-    levels = [
-        [motion_level(point.positions(pose), longer, foot.side)[part] for point in foot.points]
-        for foot in feet
-    ]
-    return feet, [[_smooth_step((1.0 - level) / _FIRM) for level in foot] for foot in levels]
+        return ()
+    return find_feet(three_cycles(clip) if clip.cyclic else clip)
 
 
-def _smooth_step(x: Array) -> Array:
-    """From 0 at x ≤ 0 to 1 at x ≥ 1 with no corner."""
-    t = np.clip(x, 0.0, 1.0)
-    return np.asarray(t * t * (3.0 - 2.0 * t))
-
-
-def _signals(clip: Clip, feet: tuple[Foot, ...], firm: list[list[Array]]) -> Array:
+def _signals(clip: Clip, feet: tuple[Foot, ...]) -> Array:
     """(F, C) rows; see ``Example``."""
     count = clip.frames - 1 if clip.cyclic else clip.frames
     travel = clip.travel if clip.cyclic else np.zeros(3)
     gone = np.linspace(0.0, 1.0, clip.frames)[:, None] * travel
     pose = forward_kinematics(clip)
     columns = [to_directions(clip.rotations).reshape(clip.frames, -1), clip.root_positions - gone]
-    for foot, stands in zip(feet, firm, strict=True):
+    for foot in feet:
         columns += [pose.positions[:, foot.ankle] - gone]
         columns += [to_directions(pose.rotations[:, foot.ankle])]
         soles = [point.positions(pose) for point in foot.points]
         columns += [np.min(soles, axis=0)[:, 1:2]]
-        for places, share in zip(soles, stands, strict=True):
+        for places in soles:
+            share = np.zeros((clip.frames, 1))
+            share[:count, 0] = firmness(
+                places[:count], clip.travel if clip.cyclic else None, clip, foot.side
+            )
             steps = np.diff(places, axis=0, append=places[-1:]) * (clip.frames - 1)
-            columns += [share[:, None], share[:, None] * steps[:, [0, 2]]]
+            columns += [share, share * steps[:, [0, 2]]]
     return np.ascontiguousarray(np.hstack(columns)[:count])

@@ -1,4 +1,4 @@
-"""Legs that bring the feet of a blend to where the examples' feet are in the mean."""
+"""Where the feet of a blend are: in the mean of the examples, and still while they stand."""
 
 from __future__ import annotations
 
@@ -8,17 +8,37 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from motion.editing.foot_plants import Foot
-from motion.ik import solve_two_bones
+from motion.clip import Clip
+from motion.editing.foot_plants import Foot, motion_level
 from motion.kinematics import WorldPose
-from motion.rotations import between, conjugate, from_directions, multiply, rotate
-from motion.skeleton import Skeleton
+from motion.rotations import conjugate, from_directions, multiply, rotate
 
 Array = NDArray[np.float64]
 
-_NOTHING = 1e-9  # m: a foot that is off by less is where it shall be
-_FULLY = 0.3  # weight of the examples that stand, from which on the blend stands
-_HINT = 0.01  # m: how much a straight knee is told which way is ahead
+_FIRM = 0.5  # of the limits of height and speed: that much below them a point stands firmly
+_FULLY = 0.1  # firmness from which on a point is kept in its place
+_AROUND = 0.1  # s before and after a cycle that are looked at for speeds at its ends
+
+
+def firmness(sole: Array, travel: Array | None, clip: Clip, side: str) -> Array:
+    """How firmly (T,) a point of a sole stands, by its path (T, 3) in metres.
+
+    1 where it is about at rest on the floor, 0 where it is too high or too fast to stand.
+
+    Args:
+        sole: of a cycle without the closing frame.
+        travel: (3,) m, the travel of a cycle; None if it is none.
+        clip: whose skeleton and frame time count.
+        side: left or right.
+    """
+    if travel is None:
+        level = motion_level(sole, clip, side)
+    else:
+        around = min(len(sole), max(3, round(_AROUND / clip.frame_time)))
+        longer = np.concatenate([sole[-around:] - travel, sole, sole[:around] + travel])
+        level = motion_level(longer, clip, side)[around:-around]
+    share = np.clip((1.0 - level) / _FIRM, 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,24 +48,21 @@ class SolePoint:
     Attributes:
         joint: that carries it.
         offset: (3,) in the joint's frame, m.
-        stands: (T,) how much the foot stands on it: from 0 to 1 as soon as some examples do.
-        way: (T, 2) level way to the next frame of the examples that stand, m, times ``stands``:
-            in recordings they are not quite still.
+        firm: (T,) how firmly it stands in the examples.
+        way: (T, 2) its level way to the next frame, m, times that: in recordings those that stand
+            are not quite still.
     """
 
     joint: int
     offset: Array
-    stands: Array
+    firm: Array
     way: Array
 
-    @classmethod
-    def read(cls, joint: int, offset: Array, columns: Array) -> SolePoint:
-        """From the blended columns (T, 3): how firmly it stands, and its velocity times that."""
-        firm = columns[:, 0]
-        part = np.clip(firm / _FULLY, 0.0, 1.0)
-        slope = part * (3.0 - 2.0 * part)  # of the smooth step from 0 to 1, seen from 0
-        by = np.where(part < 1.0, slope / _FULLY, 1.0 / np.maximum(firm, _FULLY))
-        return cls(joint, offset, part * slope, by[:, None] * columns[:, 1:3] / len(columns))
+    def place(self, ankle: Array, turn: Array, pose: WorldPose, joint: int) -> Array:
+        """Its place (T, 3) on a foot that is moved from a pose's ankle joint to another place."""
+        here = pose.positions[:, self.joint] - pose.positions[:, joint]
+        here = here + rotate(pose.rotations[:, self.joint], self.offset)
+        return ankle + rotate(turn, here)
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +76,7 @@ class BlendedFoot:
         lowest: (T,) m, height of the lowest point of the sole.
         points: of its sole.
         travel: (3,) m, from the first frame to the one after the last; None if there is none.
+        own: how much of the way that examples slide while they stand is kept.
     """
 
     foot: Foot
@@ -67,118 +85,89 @@ class BlendedFoot:
     lowest: Array
     points: tuple[SolePoint, ...]
     travel: Array | None
+    own: float
 
-    @classmethod
-    def read(
-        cls,
-        foot: Foot,
-        offsets: Sequence[Array],
-        columns: Array,
-        gone: Array,
-        travel: Array | None,
-    ) -> BlendedFoot:
-        """From the blended columns (T, 10 + 3 a point); ``gone`` (T, 3) is the travel till then."""
-        points = tuple(
-            SolePoint.read(point.joint, offset, columns[:, start : start + 3])
-            for point, offset, start in zip(foot.points, offsets, (10, 13), strict=False)
-        )
-        turn = from_directions(columns[:, 3:9])
-        return cls(foot, columns[:, :3] + gone, turn, columns[:, 9], points, travel)
-
-    def goal(self, pose: WorldPose) -> Array:
+    def goal(self, clip: Clip, pose: WorldPose) -> Array:
         """(T, 3) place of the ankle, such that the point on which the foot stands keeps its place.
 
         It is the mean of the examples' ankles, less what the sole would slide: examples do not
         roll over their feet alike, and a mean of turned feet is a little shorter than they are.
         While it stands, the lowest point of the sole is as high as the examples' in the mean.
+
+        Args:
+            clip: the blend so far.
+            pose: its world pose.
         """
-        soles = self._soles(pose)
+        joint = self.foot.ankle
+        turn = multiply(self.turn, conjugate(pose.rotations[:, joint]))
+        soles = [point.place(self.ankle, turn, pose, joint) for point in self.points]
+        firm = [
+            np.maximum(point.firm, firmness(sole, self.travel, clip, self.foot.side))
+            for point, sole in zip(self.points, soles, strict=True)
+        ]
+        held = [_held(one) for one in firm]
+        swings = np.prod([1.0 - one * by for one, by in zip(firm, held, strict=True)], axis=0)
+        ways = [
+            by[:, None] * (one[:, None] * self._way(sole) - self.own * point.way)
+            for point, sole, one, by in zip(self.points, soles, firm, held, strict=True)
+        ]
+        total = np.sum([one * by for one, by in zip(firm, held, strict=True)], axis=0)
+        slid = _taken_back(np.sum(ways, axis=0) / np.maximum(total, 1.0)[:, None], swings)
         goal = self.ankle.copy()
-        goal[:, [0, 2]] -= self._slid(soles)
+        goal[:, [0, 2]] -= slid
         lowest = np.min([sole[:, 1] for sole in soles], axis=0)
-        goal[:, 1] += (1.0 - self._swings()) * (self.lowest - lowest)
+        goal[:, 1] += (1.0 - swings) * (self.lowest - lowest)
         return goal
 
-    def _soles(self, pose: WorldPose) -> list[Array]:
-        """Where (T, 3) each point is if the ankle is at its mean place."""
-        ankle = self.foot.ankle
-        turn = multiply(self.turn, conjugate(pose.rotations[:, ankle]))
-        found = []
-        for point in self.points:
-            here = pose.positions[:, point.joint] - pose.positions[:, ankle]
-            here = here + rotate(pose.rotations[:, point.joint], point.offset)
-            found.append(self.ankle + rotate(turn, here))
-        return found
-
-    def _swings(self) -> Array:
-        """(T,) 1 in the air, 0 while a point of the sole stands."""
-        return np.asarray(np.prod([1.0 - point.stands for point in self.points], axis=0))
-
-    def _slid(self, soles: Sequence[Array]) -> Array:
-        """(T, 2) level way that the standing foot has slid, m; taken back while it swings."""
-        total = np.maximum(np.sum([point.stands for point in self.points], axis=0), 1.0)
-        ways = np.zeros((len(total), 2))
-        for point, sole in zip(self.points, soles, strict=True):
-            after = sole[-1:] if self.travel is None else sole[:1] + self.travel
-            way = np.diff(sole, axis=0, append=after)[:, [0, 2]]
-            ways += (point.stands[:, None] * way - point.way) / total[:, None]
-        back = self._swings() ** 2
-        if back.sum() < 1.0:
-            back = np.ones_like(back)
-        ways -= ways.sum(axis=0) * (back / back.sum())[:, None]
-        slid = np.cumsum(ways, axis=0) - ways
-        stands = 1.0 - self._swings() + 1e-9
-        return np.asarray(slid - (stands @ slid) / stands.sum())
+    def _way(self, sole: Array) -> Array:
+        """(T, 2) level way to the next frame."""
+        after = sole[-1:] if self.travel is None else sole[:1] + self.travel
+        return np.diff(sole, axis=0, append=after)[:, [0, 2]]
 
 
-def onto_feet(
-    skeleton: Skeleton, pose: WorldPose, rotations: Array, feet: Sequence[BlendedFoot]
-) -> None:
-    """Turn the legs in ``rotations`` (T, J, 4) such that the feet are where they shall be.
+def read_foot(
+    foot: Foot,
+    offsets: Sequence[Array],
+    columns: Array,
+    gone: Array,
+    travel: Array | None,
+    own: float,
+) -> BlendedFoot:
+    """A foot from the blended columns (T, 10 + 3 a point) of ``signals``.
 
     Args:
-        skeleton: J joints.
-        pose: the world pose of the rotations as they are.
-        rotations: local; changed.
-        feet: where they shall be.
+        foot: its joints.
+        offsets: (3,) of each point of the sole.
+        columns: see ``Example``.
+        gone: (T, 3) m, the travel until then.
+        travel: see ``BlendedFoot``.
+        own: see there.
     """
-    for blended in feet:
-        foot, target = blended.foot, blended.goal(pose)
-        hip, knee, ankle = (pose.positions[:, j] for j in (foot.thigh, foot.shin, foot.ankle))
-        gap = np.linalg.norm(target - ankle, axis=-1).max()
-        whole = np.zeros((len(target), 4))
-        whole[:, 0] = 1.0
-        first = second = whole
-        if gap > _NOTHING:
-            upper, lower = knee - hip, ankle - knee
-            lengths = (_length(upper), _length(lower))
-            pole = _knee_way(hip, knee, ankle, blended.turn, min(_HINT, float(gap)))
-            solved = solve_two_bones(hip, target, pole, lengths)
-            first = between(_unit(upper), _unit(solved.middle - hip))
-            second = between(_unit(rotate(first, lower)), _unit(solved.end - solved.middle))
-        both = multiply(second, first)
-        parents = skeleton.parents
-        above = pose.rotations[:, parents[foot.thigh]]
-        thigh = multiply(first, pose.rotations[:, foot.thigh])
-        rotations[:, foot.thigh] = multiply(conjugate(above), thigh)
-        over_shin = multiply(first, pose.rotations[:, parents[foot.shin]])
-        shin = multiply(both, pose.rotations[:, foot.shin])
-        rotations[:, foot.shin] = multiply(conjugate(over_shin), shin)
-        over_ankle = multiply(both, pose.rotations[:, parents[foot.ankle]])
-        rotations[:, foot.ankle] = multiply(conjugate(over_ankle), blended.turn)
+    points = tuple(
+        SolePoint(point.joint, offset, columns[:, at], columns[:, at + 1 : at + 3] / len(columns))
+        for point, offset, at in zip(foot.points, offsets, (10, 13), strict=False)
+    )
+    turn = from_directions(columns[:, 3:9])
+    ankle = columns[:, :3] + gone
+    return BlendedFoot(foot, ankle, turn, columns[:, 9], points, travel, own)
 
 
-def _knee_way(hip: Array, knee: Array, ankle: Array, turn: Array, hint: float) -> Array:
-    """(T, 3) whither the knee points: where it does, and a little ahead in case it is straight."""
-    limb = _unit(ankle - hip)
-    out = knee - hip
-    out = out - np.sum(out * limb, axis=-1, keepdims=True) * limb
-    return out + hint * np.array([0.0, 0.0, 1.0])
+def _held(firm: Array) -> Array:
+    """(T,) by what to multiply firmness to see how much a point is kept in its place.
+
+    Together they are a smooth step from 0 to 1, reached at a small firmness.
+    """
+    part = np.clip(firm / _FULLY, 0.0, 1.0)
+    return np.where(part < 1.0, part * (3.0 - 2.0 * part) / _FULLY, 1.0 / np.maximum(firm, _FULLY))
 
 
-def _length(vectors: Array) -> float:
-    return float(np.linalg.norm(vectors, axis=-1).mean())
+def _taken_back(ways: Array, swings: Array) -> Array:
+    """(T, 2) m, the sum of ways (T, 2) up to each frame, taken back while the foot swings.
 
-
-def _unit(vectors: Array) -> Array:
-    return vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-12)
+    In the mean of the frames in which it stands it is 0.
+    """
+    back = swings**2 if swings.sum() >= 1.0 else np.ones_like(swings)
+    ways = ways - ways.sum(axis=0) * (back / back.sum())[:, None]
+    slid = np.cumsum(ways, axis=0) - ways
+    stands = 1.0 - swings + 1e-9
+    return np.asarray(slid - (stands @ slid) / stands.sum())
