@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from app.statistics.ward import Labels
 
@@ -51,6 +50,8 @@ def matching(one: Labels, other: Labels) -> Matched:
         one: clusters of the items (n,), from 0.
         other: clusters of the same items in another solution (n,), from 0.
     """
+    from scipy.optimize import linear_sum_assignment  # slow to import, as in `ward`
+
     rows, columns = linear_sum_assignment(contingency(one, other), maximize=True)
     pairs = tuple((int(row), int(column)) for row, column in zip(rows, columns, strict=True))
     stayed = np.zeros(len(one), dtype=bool)

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.cluster import hierarchy
 
 from app.statistics.intervals import Samples
 
@@ -45,6 +44,8 @@ def ward(columns: Samples) -> Tree:
     Raises:
         ValueError: no items, or numbers that are missing or not finite.
     """
+    from scipy.cluster import hierarchy  # slow to import, and the server need not wait for it
+
     if not len(columns) or not np.isfinite(columns).all():
         raise ValueError("Ward's method needs items whose numbers are all known")
     if len(columns) == 1:
