@@ -2,16 +2,11 @@
 
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict
+from app.schemas.matching import Matching
+from app.schemas.result import Result
 
 # Whose answers are looked at; previews are never stored.
 SessionKind = Literal["participant", "simulated"]
-
-
-class Result(BaseModel):
-    """A part of the results."""
-
-    model_config = ConfigDict(frozen=True)
 
 
 class Counts(Result):
@@ -169,6 +164,8 @@ class StudyResults(Result):
         against: "others" compares a best clip with the other clips of its body, "all" with all.
         parts: all parts that ask about clips; part: the one that the numbers are of.
         axes: what was answered by numbers; choices: by choosing; poles: of bipolar scales alone.
+        matching: what came of matching targets; null for parts of other kinds, and while too few
+            are complete.
         texts: how many answers in words there are; they are read in the exports.
     """
 
@@ -189,4 +186,5 @@ class StudyResults(Result):
     axes: list[Axis]
     choices: list[Choices]
     poles: list[PoleRow]
+    matching: Matching | None
     texts: int

@@ -1,6 +1,7 @@
 """A study's charts: results put into the figures' words.
 
-Of each axis `shares-…` (where it has steps) and `means-…`; of choices `chosen-…`.
+Of each axis `shares-…` (where it has steps) and `means-…`; of choices `chosen-…`; of matches
+`matching-…`.
 """
 
 from __future__ import annotations
@@ -12,7 +13,9 @@ from typing import Any
 from app.errors import NotFoundError
 from app.figures import clips as figures
 from app.figures import render
+from app.figures.matching import ALL, Bar, targets
 from app.figures.theme import Mode
+from app.schemas.matching import MatchFigure
 from app.schemas.results import Axis, Choices, StudyResults
 
 PRINT_WIDTH = 620
@@ -67,7 +70,21 @@ def _charts(results: StudyResults) -> dict[str, Draw]:
     for choices in results.choices:
         if options := _options(choices):
             found[f"chosen-{choices.id}"] = partial(figures.chosen, options, choices.chance)
+    if results.matching is not None:
+        for figure in results.matching.figures:
+            if bars := _bars(figure):
+                found[f"matching-{figure.name}"] = partial(
+                    targets, bars, results.matching.interfaces, figure.title, figure.unit
+                )
     return found
+
+
+def _bars(figure: MatchFigure) -> list[Bar]:
+    return [
+        Bar(bar.target or ALL, bar.interface, bar.value, bar.low, bar.high)
+        for bar in figure.bars
+        if bar.value is not None
+    ]
 
 
 def _words(axis: Axis) -> figures.AxisWords:

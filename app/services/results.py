@@ -17,7 +17,7 @@ from app.persistence.models import Study, now
 from app.persistence.responses import Counted
 from app.schemas.results import Clip, Counts, PartName, SessionKind, StudyResults
 from app.schemas.study import SemanticDifferential, Stimulus
-from app.services import result_axes, result_choices, result_poles
+from app.services import matching_results, result_axes, result_choices, result_poles
 from app.services.measures import CHOICES
 from app.services.result_axes import NEEDED
 from app.services.studies import find, running_of
@@ -71,6 +71,7 @@ def results(
         axes=result_axes.axes(asked, clips, ratings),
         choices=result_choices.choices(asked, clips, rows) if asked.task.kind in CHOICES else [],
         poles=result_poles.poles(asked, clips, ratings, against, newest.hash) if bipolar else [],
+        matching=matching_results.matching(asked, clips, rows) if people >= NEEDED else None,
         texts=sum(bool(row.answers.get("text")) for row in rows),
     )
 
