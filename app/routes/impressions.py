@@ -15,14 +15,29 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, Query, Request
 from fastapi.responses import Response
 
-from app.dependencies import Reading, StudyEditor, StudyViewer, Writing
+from app.dependencies import (
+    CurrentDatabase,
+    CurrentWorkers,
+    CurrentWriter,
+    Reading,
+    StudyEditor,
+    StudyViewer,
+    Writing,
+)
 from app.pages import render
-from app.schemas.errors import ERRORS
-from app.schemas.impressions import Choices, Impressions
+from app.schemas.errors import BUSY, ERRORS
+from app.schemas.impressions import Choices, Comparison, Freeze, Impressions, Stability
 from app.schemas.results import SessionKind
-from app.services import impression_choices
+from app.schemas.spaces import SpaceLine
+from app.services import (
+    impression_choices,
+    impression_comparison,
+    impression_space,
+    impression_stability,
+)
 from app.services import impressions as service
 from app.services.impressions import Live
+from app.settings import Settings
 
 router = APIRouter(prefix="/research/studies/{slug}/impressions", include_in_schema=False)
 api = APIRouter(prefix="/api/v1/studies/{slug}/impressions", tags=["impressions"], responses=ERRORS)
@@ -39,6 +54,12 @@ def _live(
     return Live(least_peak, most_spread, clusters)
 
 
+async def _scheduler(request: Request) -> str:
+    settings: Settings = request.app.state.settings
+    return settings.scheduler
+
+
+Scheduler = Annotated[str, Depends(_scheduler)]
 TriedOut = Annotated[Live, Depends(_live)]
 
 
@@ -72,6 +93,54 @@ def read_impressions(
     Thresholds and cut that are given stand in for the saved ones; nothing is stored.
     """
     return service.impressions(db, access.slug, access.role, part, kind, live)
+
+
+@api.get("/{part}/stability", responses=BUSY)
+def read_stability(
+    access: StudyViewer,
+    part: str,
+    database: CurrentDatabase,
+    workers: CurrentWorkers,
+    scheduler: Scheduler,
+    live: TriedOut,
+    kind: SessionKind = "participant",
+    samples: Annotated[int, Query(ge=10, le=10_000)] = 1000,
+    seed: Annotated[int, Query(ge=0, lt=2**32)] = 1,
+) -> Stability:
+    """How the analysis would differ with other participants: a bootstrap, the same by seed."""
+    return impression_stability.stability(
+        database, workers, scheduler, access.slug, part, kind, live, samples, seed
+    )
+
+
+@api.get("/{part}/comparison")
+def compare_impressions(
+    access: StudyViewer,
+    part: str,
+    other: Annotated[str, Query(max_length=100)],
+    db: Reading,
+    other_part: PartId | None = None,
+    kind: SessionKind = "participant",
+) -> Comparison:
+    """The clusters of two studies side by side: how far they agree, which pairs moved."""
+    return impression_comparison.comparison(db, access, part, other, other_part, kind)
+
+
+@api.post("/{part}/space", status_code=201, responses=BUSY)
+def freeze_impressions(
+    access: StudyEditor,
+    part: str,
+    space: Freeze,
+    response: Response,
+    database: CurrentDatabase,
+    writer: CurrentWriter,
+    workers: CurrentWorkers,
+    kind: SessionKind = "participant",
+) -> SpaceLine:
+    """Make an authoring space of the saved analysis, as the next version of its name."""
+    line = impression_space.freeze(database, writer, workers, access, part, space.name, kind)
+    response.headers["Location"] = f"/api/v1/spaces/{line.id}"
+    return line
 
 
 @api.put("/{part}")

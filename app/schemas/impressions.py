@@ -158,15 +158,22 @@ class ByParticipants(BaseModel):
 
 
 class Stability(BaseModel):
-    """Bootstrap over participants."""
+    """Bootstrap over participants.
+
+    Attributes:
+        clusters: as the tree is cut, moves by hand aside.
+        rand_mean, rand_low, rand_high: adjusted Rand index with the solution of all participants,
+            and the middle 95 % of the samples; None where no sample keeps enough pairs.
+        by_participants: the same for other numbers of participants, those that keep enough pairs.
+    """
 
     samples: int
     seed: int
     pairs: list[PairStability]
     clusters: list[ClusterStability]
-    rand_mean: float
-    rand_low: float
-    rand_high: float
+    rand_mean: float | None
+    rand_low: float | None
+    rand_high: float | None
     by_participants: list[ByParticipants]
     sentence: str
 
