@@ -53,6 +53,13 @@ def test_more_raters_keep_and_drop_more_rightly_and_noise_does_the_opposite(moti
     assert calm.kept.mean > noisy.kept.mean
 
 
+@pytest.mark.parametrize("participants", [14, 50])
+def test_beyond_the_papers_noise_the_threshold_drops_what_clusters_would_still_show(participants):
+    found = point(Setting("set_a", 1.2, participants), SEEDS, 5)
+    assert found.kept.mean < 0.1
+    assert found.rand_of_all.mean > 0.95
+
+
 def test_the_grid_has_every_noise_with_every_number_of_raters():
     wanted = set(recovery.settings())
     assert len(wanted) == len(recovery.settings())
