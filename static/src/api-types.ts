@@ -807,6 +807,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/studies/{slug}/impressions/{part}/stability": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Stability
+         * @description How the analysis would differ with other participants: a bootstrap, the same by seed.
+         */
+        get: operations["read_stability"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/impressions/{part}/comparison": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Compare Impressions
+         * @description The clusters of two studies side by side: how far they agree, which pairs moved.
+         */
+        get: operations["compare_impressions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/impressions/{part}/space": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Freeze Impressions
+         * @description Make an authoring space of the saved analysis, as the next version of its name.
+         */
+        post: operations["freeze_impressions"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/studies/{slug}/impressions/{part}": {
         parameters: {
             query?: never;
@@ -1578,6 +1638,20 @@ export interface components {
             options: string;
         };
         /**
+         * ByParticipants
+         * @description How like the whole solution one from so many participants is: the adjusted Rand index.
+         */
+        ByParticipants: {
+            /** Participants */
+            participants: number;
+            /** Mean */
+            mean: number;
+            /** Low */
+            low: number;
+            /** High */
+            high: number;
+        };
+        /**
          * Cell
          * @description One clip on one axis.
          *
@@ -2005,6 +2079,48 @@ export interface components {
             values: (number | null)[];
         };
         /**
+         * ClusterStability
+         * @description How well a cluster is found again: the mean of its best Jaccard overlap (Hennig 2007).
+         */
+        ClusterStability: {
+            /** Key */
+            key: string;
+            /** Title */
+            title: string;
+            /** Overlap */
+            overlap: number;
+        };
+        /**
+         * Comparison
+         * @description Two studies' solutions side by side.
+         *
+         *     Attributes:
+         *         shared: how many pairs both keep; rand: the adjusted Rand index over them.
+         *         together: this study's cluster title to the other's that it overlaps most.
+         */
+        Comparison: {
+            /** Here */
+            here: string;
+            /** There */
+            there: string;
+            /** Shared */
+            shared: number;
+            /** Rand */
+            rand: number | null;
+            /** Together */
+            together: {
+                [key: string]: string;
+            };
+            /** Here Clusters */
+            here_clusters: components["schemas"]["Cluster"][];
+            /** There Clusters */
+            there_clusters: components["schemas"]["Cluster"][];
+            /** Moved */
+            moved: components["schemas"]["Moved-Output"][];
+            /** Sentence */
+            sentence: string;
+        };
+        /**
          * Completion
          * @description Every answer has arrived.
          */
@@ -2302,6 +2418,14 @@ export interface components {
             unit: string;
             /** Limit */
             limit: number;
+        };
+        /**
+         * Freeze
+         * @description Make an authoring space of the analysis as it is saved.
+         */
+        Freeze: {
+            /** Name */
+            name: string;
         };
         /**
          * GraphClip
@@ -3002,6 +3126,98 @@ export interface components {
             at: string;
         };
         /**
+         * MatchBar
+         * @description One interface on one target. `target` is null for all of them together.
+         *
+         *     Attributes:
+         *         value: mean or share; low, high: one standard deviation around it, or the interval that the
+         *             figure names; n: how many answers.
+         */
+        MatchBar: {
+            /** Target */
+            target: string | null;
+            /**
+             * Interface
+             * @enum {string}
+             */
+            interface: "adjectives" | "features" | "weights";
+            /** Value */
+            value: number | null;
+            /** Low */
+            low: number | null;
+            /** High */
+            high: number | null;
+            /** N */
+            n: number;
+        };
+        /**
+         * MatchFigure
+         * @description One figure.
+         *
+         *     Attributes:
+         *         unit: m, s, or a share of 1 where empty.
+         *         reach: what low and high are.
+         */
+        MatchFigure: {
+            /**
+             * Name
+             * @enum {string}
+             */
+            name: "guess" | "guessed" | "seconds" | "saved" | "failed";
+            /** Title */
+            title: string;
+            /** Unit */
+            unit: string;
+            /** Reach */
+            reach: string;
+            /** Bars */
+            bars: components["schemas"]["MatchBar"][];
+            /** Sentence */
+            sentence: string;
+        };
+        /**
+         * MatchTest
+         * @description Two interfaces compared on one target, or on all: null where no pair differs.
+         */
+        MatchTest: {
+            /** Target */
+            target: string | null;
+            /**
+             * One
+             * @enum {string}
+             */
+            one: "adjectives" | "features" | "weights";
+            /**
+             * Other
+             * @enum {string}
+             */
+            other: "adjectives" | "features" | "weights";
+            guess: components["schemas"]["Ranked"] | null;
+            seconds: components["schemas"]["Ranked"] | null;
+        };
+        /**
+         * Matching
+         * @description A matching experiment's numbers; `reference` is what saved times are compared with.
+         */
+        Matching: {
+            /** Interfaces */
+            interfaces: ("adjectives" | "features" | "weights")[];
+            /** Targets */
+            targets: string[];
+            /** Threshold */
+            threshold: number;
+            /** Limit */
+            limit: number;
+            /** Reference */
+            reference: ("adjectives" | "features" | "weights") | null;
+            /** Figures */
+            figures: components["schemas"]["MatchFigure"][];
+            /** Tests */
+            tests: components["schemas"]["MatchTest"][];
+            /** Rule */
+            rule: string;
+        };
+        /**
          * Member
          * @description A researcher who belongs to a study.
          */
@@ -3106,11 +3322,25 @@ export interface components {
          * Moved
          * @description Where the sliders of a match stand.
          */
-        Moved: {
+        "Moved-Input": {
             /** Values */
             values: {
                 [key: string]: number;
             };
+        };
+        /**
+         * Moved
+         * @description A pair that two solutions put into different clusters, or that only one of them keeps.
+         */
+        "Moved-Output": {
+            /** Id */
+            id: string;
+            left: components["schemas"]["Words"];
+            right: components["schemas"]["Words"];
+            /** Here */
+            here: string | null;
+            /** There */
+            there: string | null;
         };
         /**
          * NewSpace
@@ -3313,6 +3543,16 @@ export interface components {
             cluster: number | null;
             /** Moved */
             moved: boolean;
+        };
+        /**
+         * PairStability
+         * @description How often a pair stays when participants are drawn anew.
+         */
+        PairStability: {
+            /** Id */
+            id: string;
+            /** Kept */
+            kept: number;
         };
         /**
          * Parameter
@@ -3879,6 +4119,26 @@ export interface components {
             findings: components["schemas"]["Finding"][];
         };
         /**
+         * Ranked
+         * @description Wilcoxon's signed-rank test, two-sided.
+         *
+         *     Attributes:
+         *         n: pairs that differ; zeros: pairs that do not, which are left out.
+         *         exact: whether p is exact, and not by the normal distribution.
+         */
+        Ranked: {
+            /** Statistic */
+            statistic: number;
+            /** P */
+            p: number;
+            /** N */
+            n: number;
+            /** Zeros */
+            zeros: number;
+            /** Exact */
+            exact: boolean;
+        };
+        /**
          * Rated
          * @description A clip of the study.
          */
@@ -4335,6 +4595,36 @@ export interface components {
             }[];
         };
         /**
+         * Stability
+         * @description Bootstrap over participants.
+         *
+         *     Attributes:
+         *         clusters: as the tree is cut, moves by hand aside.
+         *         rand_mean, rand_low, rand_high: adjusted Rand index with the solution of all participants,
+         *             and the middle 95 % of the samples; None where no sample keeps enough pairs.
+         *         by_participants: the same for other numbers of participants, those that keep enough pairs.
+         */
+        Stability: {
+            /** Samples */
+            samples: number;
+            /** Seed */
+            seed: number;
+            /** Pairs */
+            pairs: components["schemas"]["PairStability"][];
+            /** Clusters */
+            clusters: components["schemas"]["ClusterStability"][];
+            /** Rand Mean */
+            rand_mean: number | null;
+            /** Rand Low */
+            rand_low: number | null;
+            /** Rand High */
+            rand_high: number | null;
+            /** By Participants */
+            by_participants: components["schemas"]["ByParticipants"][];
+            /** Sentence */
+            sentence: string;
+        };
+        /**
          * StateChange
          * @description Whether new participants may begin.
          */
@@ -4523,6 +4813,8 @@ export interface components {
          *         against: "others" compares a best clip with the other clips of its body, "all" with all.
          *         parts: all parts that ask about clips; part: the one that the numbers are of.
          *         axes: what was answered by numbers; choices: by choosing; poles: of bipolar scales alone.
+         *         matching: what came of matching targets; null for parts of other kinds, and while too few
+         *             are complete.
          *         texts: how many answers in words there are; they are read in the exports.
          */
         StudyResults: {
@@ -4564,6 +4856,7 @@ export interface components {
             choices: components["schemas"]["app__schemas__results__Choices"][];
             /** Poles */
             poles: components["schemas"]["PoleRow"][];
+            matching: components["schemas"]["Matching"] | null;
             /** Texts */
             texts: number;
         };
@@ -5048,7 +5341,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["Moved"];
+                "application/json": components["schemas"]["Moved-Input"];
             };
         };
         responses: {
@@ -8703,6 +8996,272 @@ export interface operations {
             };
         };
     };
+    read_stability: {
+        parameters: {
+            query?: {
+                kind?: "participant" | "simulated";
+                samples?: number;
+                seed?: number;
+                least_peak?: number | null;
+                most_spread?: number | null;
+                clusters?: number | null;
+            };
+            header?: never;
+            path: {
+                part: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Stability"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    compare_impressions: {
+        parameters: {
+            query: {
+                other: string;
+                other_part?: string | null;
+                kind?: "participant" | "simulated";
+            };
+            header?: never;
+            path: {
+                part: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Comparison"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    freeze_impressions: {
+        parameters: {
+            query?: {
+                kind?: "participant" | "simulated";
+            };
+            header?: never;
+            path: {
+                part: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Freeze"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpaceLine"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
     choose_impressions: {
         parameters: {
             query?: {
@@ -9899,7 +10458,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["Moved"];
+                "application/json": components["schemas"]["Moved-Input"];
             };
         };
         responses: {
