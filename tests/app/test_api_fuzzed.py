@@ -25,9 +25,11 @@ from app.main import create_app
 from app.persistence import schema as tables
 from app.persistence.engine import Database
 from app.persistence.models import Researcher
-from app.services import keys, samples
+from app.services import keys, samples, spaces
+from app.services.space_making import Source, define
 from app.settings import Settings
 from motion.recipe import OPERATIONS, PRESETS
+from motion.storage import clip_to_bytes
 from tests.support.motions import walk, walks
 
 CHECKS = [
@@ -38,6 +40,9 @@ CHECKS = [
     response_schema_conformance,
 ]
 SOURCE = walk().content_hash
+SPACE = define(
+    "Walks", [Source(w.clip.content_hash, w.name, clip_to_bytes(w.clip)) for w in walks()], {}
+)
 DOCUMENT = create_app(Settings(database_url="sqlite://", secret_key="x" * 40)).openapi()
 OPERATION_NAMES = [
     (method.upper(), path)
@@ -74,6 +79,8 @@ def server(tmp_path_factory: pytest.TempPathFactory, built: Path) -> Iterator[Te
         db.add(researcher)
         db.commit()
         app.state.key = keys.make(db, researcher.id, "fuzzing", "write").secret
+        spaces.keep(db, SPACE, study_id=None, made_by=researcher.id)
+        db.commit()
     with TestClient(app, raise_server_exceptions=False) as client:
         yield client
 
@@ -124,7 +131,11 @@ def point_to_what_is_there(case: schemathesis.Case) -> None:
         case.path_parameters["clip_id"] = SOURCE
     if "name" in case.path_parameters:
         case.path_parameters["name"] = "grid@1"
+    if "space_id" in case.path_parameters:
+        case.path_parameters["space_id"] = SPACE.content_hash
     if isinstance(case.body, dict):
+        if "interface" in case.body:
+            case.body |= {"interface": "features", "values": {"step_length": 0.3}}
         case.body |= {name: SOURCE for name in ("source", "clip") if name in case.body}
 
 
