@@ -19,6 +19,7 @@ from motion.rotations import from_directions, make_continuous
 Array = NDArray[np.float64]
 
 _NONE = 1e-9  # a weight below this counts as none
+_OWN = 4  # how fast the slide that an example's feet have of their own goes as others mix in
 
 
 class Blender:
@@ -192,7 +193,9 @@ class Blender:
             width = 10 + 3 * len(soles)
             offsets = [shares @ sole[chosen] for sole in soles]
             part = np.ascontiguousarray(columns[:, start : start + width])
-            feet.append(read_foot(foot, offsets, part, gone, travel, float(shares @ shares)))
+            feet.append(
+                read_foot(foot, offsets, part, gone, travel, float(shares @ shares) ** _OWN)
+            )
             start += width
         return feet
 
