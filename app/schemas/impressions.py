@@ -178,7 +178,7 @@ class Stability(BaseModel):
     sentence: str
 
 
-class Moved(BaseModel):
+class MovedPair(BaseModel):
     """A pair that two solutions put into different clusters, or that only one of them keeps."""
 
     id: Name
@@ -203,7 +203,7 @@ class Comparison(BaseModel):
     together: dict[str, str]
     here_clusters: list[Cluster]
     there_clusters: list[Cluster]
-    moved: list[Moved]
+    moved: list[MovedPair]
     sentence: str
 
 

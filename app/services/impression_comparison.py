@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from sqlalchemy.orm import Session
 
-from app.schemas.impressions import Comparison, Moved
+from app.schemas.impressions import Comparison, MovedPair
 from app.schemas.results import SessionKind
 from app.schemas.study import Scale
 from app.services import impression_sentences as sentences
@@ -101,10 +101,10 @@ def _titled(clusters: Sequence[Sequence[str]], titles: Sequence[str]) -> dict[st
 
 def _moved(
     asked: Sequence[Scale], gone: set[str], here: dict[str, str], there: dict[str, str]
-) -> list[Moved]:
+) -> list[MovedPair]:
     """The pairs in clusters that do not correspond, and those that only one of both keeps."""
     return [
-        Moved(
+        MovedPair(
             id=pair.id, left=pair.left, right=pair.right,
             here=here.get(pair.id), there=there.get(pair.id),
         )
@@ -119,7 +119,7 @@ def _sentence(
     asked: int,
     shared: int,
     rand: float | None,
-    moved: Sequence[Moved],
+    moved: Sequence[MovedPair],
 ) -> str:
     for found in (here, there):
         if found.solution is None:

@@ -2116,7 +2116,7 @@ export interface components {
             /** There Clusters */
             there_clusters: components["schemas"]["Cluster"][];
             /** Moved */
-            moved: components["schemas"]["Moved-Output"][];
+            moved: components["schemas"]["MovedPair"][];
             /** Sentence */
             sentence: string;
         };
@@ -3322,17 +3322,17 @@ export interface components {
          * Moved
          * @description Where the sliders of a match stand.
          */
-        "Moved-Input": {
+        Moved: {
             /** Values */
             values: {
                 [key: string]: number;
             };
         };
         /**
-         * Moved
+         * MovedPair
          * @description A pair that two solutions put into different clusters, or that only one of them keeps.
          */
-        "Moved-Output": {
+        MovedPair: {
             /** Id */
             id: string;
             left: components["schemas"]["Words"];
@@ -5341,7 +5341,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["Moved-Input"];
+                "application/json": components["schemas"]["Moved"];
             };
         };
         responses: {
@@ -10458,7 +10458,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["Moved-Input"];
+                "application/json": components["schemas"]["Moved"];
             };
         };
         responses: {
