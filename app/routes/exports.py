@@ -52,6 +52,12 @@ def download_lines(found: Wanted) -> Response:
     return _sent(lines, "application/jsonl", _name(found, "responses.jsonl"))
 
 
+@router.get("/moves.csv")
+def download_moves(found: Wanted) -> Response:
+    """Every move of a slider in matches, one row a move."""
+    return _sent(exports.moves_csv(found), CSV, _name(found, "moves.csv"))
+
+
 @router.get("/recruiting.csv")
 def download_recruiting(_: StudyOwner, found: Wanted) -> Response:
     """Whom a recruiting service sent, to pay them: for owners alone, and without pseudonyms."""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from app.schemas.codebook import Column
-from app.schemas.study import OF_ONE, OF_TWO, Stimulus, Trials
+from app.schemas.study import OF_ONE, OF_TWO, Match, Stimulus, Trials
 from app.services.export_columns import (
     Field,
     about_participant,
@@ -21,8 +21,9 @@ from app.services.measures import EACH_FIGURE, Measure
 from app.services.plans import units
 from app.services.versions import Version
 
-# What a participant's newest answer was to: the part, and the clips that stood together.
-Key = tuple[str, frozenset[str]]
+# What a participant's newest answer was to: the part, the clips that stood together and, where a
+# clip is asked about in several ways, which of them.
+Key = tuple[str, frozenset[str], str]
 
 
 class Person(NamedTuple):
@@ -40,7 +41,22 @@ class Person(NamedTuple):
             for row in listed
             if row.newest and not row.answer.practice and row.answer.check is None
         ]
-        return cls(listed[-1], {(row.answer.part, frozenset(row.clips)): row for row in counted})
+        return cls(
+            listed[-1],
+            {(row.answer.part, frozenset(row.clips), _way(row)): row for row in counted},
+        )
+
+
+def _way(row: Row) -> str:
+    """In which of several ways a clip was asked about: a target, by every interface."""
+    if row.answer.trial_type != "match":
+        return ""
+    return way_of(row.answer.answers["interface"], seen=bool(row.answer.answers["seen"]))
+
+
+def way_of(interface: str, *, seen: bool) -> str:
+    """How the columns of a guess, or of a match, with an interface begin."""
+    return f"{interface}_{'match' if seen else 'guess'}"
 
 
 class WideField(NamedTuple):
@@ -99,13 +115,25 @@ def _groups(versions: Sequence[Version]) -> dict[Key, Group]:
         for number, clips in enumerate(every, 1):
             name, label = _named(part, clips, number, len(every))
             alone = all(used[one.name] == 1 for one in clips) or len(clips) == len(part.stimuli) > 2
-            key = part.id, frozenset(one.clip or "" for one in clips)
-            found.setdefault(key, Group(name if alone else f"{part.id}__{name}", label, clips))
+            begun = name if alone else f"{part.id}__{name}"
+            stood = frozenset(one.clip or "" for one in clips)
+            for way in _ways(part):
+                called = f"{begun}__{way}" if way else begun
+                told = f"{label}, {way.replace('_', ', ')}" if way else label
+                found.setdefault((part.id, stood, way), Group(called, told, clips))
     return found
 
 
+def _ways(part: Trials) -> list[str]:
+    task = part.task
+    if not isinstance(task, Match):
+        return [""]
+    rounds = (False, True) if task.guess_first else (True,)
+    return [way_of(one, seen=seen) for seen in rounds for one in task.interfaces]
+
+
 def _of_page(name: str, measure: Measure, versions: Sequence[Version]) -> WideField:
-    key: Key = (measure.part, frozenset())
+    key: Key = (measure.part, frozenset(), "")
     return WideField(column_of(measure, name, versions), _reader(key, measure, None))
 
 
@@ -114,7 +142,8 @@ def _of_group(
 ) -> list[WideField]:
     fields = [_place(key, f"{group.name}__order", group.label)]
     for measure in asked:
-        fields += _answers(key, measure, group, versions)
+        if not (key[2] and measure.id in ("interface", "seen")):  # the column's name says it
+            fields += _answers(key, measure, group, versions)
     return fields
 
 

@@ -100,6 +100,26 @@ def responses_jsonl(found: Exported) -> Iterator[bytes]:
     )
 
 
+MOVES = ("session", "trial_index", "revision", "part", "stimulus", "interface", "milliseconds",
+         "slider", "position")  # fmt: skip
+
+
+def moves_csv(found: Exported) -> Iterator[str]:
+    """Every move of a slider in matches, one row a move, in their order."""
+    return csv_pieces(MOVES, (move for row in found.rows() for move in _moves(row)))
+
+
+def _moves(row: Row) -> Iterator[list[object]]:
+    answer = row.answer
+    path: list[tuple[float, str, float]] = answer.record.get("path") or []
+    about = [
+        str(row.participant.id), answer.trial_index, answer.revision, answer.part,
+        row.name_of(row.clip or ""), answer.answers.get("interface"),
+    ]  # fmt: skip
+    for milliseconds, slider, position in path:
+        yield [*about, milliseconds, slider, position]
+
+
 def recruiting_csv(found: Exported) -> Iterator[str]:
     """Whom a recruiting service sent and what became of them, to pay them; without pseudonyms.
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from typing import Any
 
 import numpy as np
@@ -221,3 +223,30 @@ def test_a_preview_moves_as_well_and_keeps_nothing(
     assert 0 <= float(motion.headers["Manner-Distance"]) < 1
     with database.reading() as db:
         assert db.scalar(select(Response)) is None
+
+
+def test_the_tables_tell_every_interface_apart_and_every_move(
+    signed_in: Researching, space: dict[str, Any], database: Database
+) -> None:
+    study = study_of(space, interfaces=["weights"])
+    slug = published(signed_in, study)
+    token = begun(database, slug, study)
+    for index in range(4):
+        body = answer(index, {"e0": 0.1 * index, "e1": 0.5, "e2": 0.5}, 10.0 + index)
+        assert signed_in.post(f"/api/v1/sessions/{token}/responses", json=body).status_code == 201
+    at = f"/research/studies/{slug}"
+    long = list(csv.DictReader(io.StringIO(signed_in.get(f"{at}/responses.csv").text)))
+    assert [row["interface"] for row in long] == ["weights"] * 4
+    assert [row["seen"] for row in long] == ["0", "1", "0", "1"]
+    (wide,) = csv.DictReader(io.StringIO(signed_in.get(f"{at}/wide.csv").text))
+    for row in long:
+        way = "match" if row["seen"] == "1" else "guess"
+        begun_with = f"{row['stimulus']}__weights_{way}"
+        assert wide[f"{begun_with}__distance"] == row["distance"]
+        assert wide[f"{begun_with}__seconds"] == row["seconds"]
+    moves = list(csv.DictReader(io.StringIO(signed_in.get(f"{at}/moves.csv").text)))
+    assert len(moves) == 8
+    assert [moves[0][name] for name in ("milliseconds", "slider", "position")] == [
+        "10.0", "e0", "0.4",
+    ]  # fmt: skip
+    assert {row["stimulus"] for row in moves} == {"one", "two"}
