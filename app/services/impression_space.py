@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from sqlalchemy.orm import Session
@@ -22,6 +22,7 @@ from app.schemas.spaces import (
     Sliders,
     SpaceLine,
 )
+from app.schemas.study import Scale
 from app.services import audit, impressions, spaces
 from app.services import impression_sentences as sentences
 from app.services.impression_names import Called
@@ -73,7 +74,13 @@ def freeze(
     clips = [one.clip or "" for one, complete in asked if complete]
     _check_size(clips, solution)
     defined = spaces.define(
-        database, workers, name, clips, sliders(found, solution), origin(found, solution), {}
+        database,
+        workers,
+        name,
+        clips,
+        sliders(solution, found.answers.pairs, found.titles),
+        origin(found, solution),
+        {},
     )
 
     def write(db: Session) -> SpaceLine:
@@ -89,17 +96,23 @@ def freeze(
     return writer.write(write)
 
 
-def sliders(found: Analysed, solution: Solution) -> Sliders:
-    """The clusters and the kept pairs with every example's place on them, in all languages."""
-    pairs = {pair.id: pair for pair in found.answers.pairs}
+def sliders(solution: Solution, scales: Iterable[Scale], titles: Sequence[Called]) -> Sliders:
+    """The clusters and the kept pairs with every example's place on them, in all languages.
+
+    Args:
+        solution: its complete clips are the examples.
+        scales: all pairs that were asked about.
+        titles: of the clusters.
+    """
+    pairs = {pair.id: pair for pair in scales}
     together = solution.values[solution.complete]
     single = solution.matrix[solution.complete]
-    ids = _ids(found.titles, solution.kept)
+    ids = _ids(titles, solution.kept)
     return Sliders(
         primary=tuple(
             Primary(id=known_as, title=called.title, members=tuple(members), values=_values(column))
             for known_as, called, members, column in zip(
-                ids, found.titles, solution.clusters, together.T, strict=True
+                ids, titles, solution.clusters, together.T, strict=True
             )
         ),
         parameters=tuple(

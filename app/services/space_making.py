@@ -5,7 +5,6 @@ Done in a process of ``app.workers``: 27 clips take about half a second.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -182,12 +181,6 @@ def standardised(values: Array) -> Array:
 def as_values(column: Array) -> tuple[float, ...]:
     """A column (examples,) as it is stored."""
     return tuple(round(float(value), DIGITS) + 0.0 for value in np.clip(column, 0.0, 1.0))
-
-
-def slider_id(title: Words, number: int) -> str:
-    """A primary slider's id by its title: what it is called in points of the space."""
-    plain = re.sub(r"[^a-z0-9]+", "_", str(title).lower()).strip("_")[:50]
-    return plain if plain[:1].isalpha() else f"cluster_{number + 1}"
 
 
 @contextmanager

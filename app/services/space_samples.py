@@ -7,11 +7,11 @@ import numpy as np
 from app.persistence.engine import Database
 from app.persistence.studies import sample_clips
 from app.schemas.impressions import LEAST_PEAK, MOST_SPREAD, Choices
-from app.schemas.spaces import Origin, Parameter, Primary, Sliders
+from app.schemas.spaces import Origin, Sliders
 from app.schemas.study import Scale
-from app.services import impression_names, spaces
+from app.services import impression_names, impression_space, spaces
 from app.services.impression_solution import solve
-from app.services.space_making import define, slider_id
+from app.services.space_making import define
 from app.statistics.quantification import quantify
 from app.studies.adjectives import SCALES
 from app.studies.simulated_impressions import CLIPS, simulated_ratings
@@ -55,24 +55,5 @@ def _sliders(motion_set: str) -> Sliders:
     solution = solve(quantify(ratings), list(scales), Choices(), REACH)
     if solution is None:
         raise RuntimeError("the simulated raters agree on no pair")  # their seed is fixed
-    titles = [called.title for called in impression_names.titles(solution.clusters, scales, {})]
-    return Sliders(
-        primary=tuple(
-            Primary(
-                id=slider_id(title, number),
-                title=title,
-                members=tuple(members),
-                values=tuple(solution.values[:, number].tolist()),
-            )
-            for number, (title, members) in enumerate(zip(titles, solution.clusters, strict=True))
-        ),
-        parameters=tuple(
-            Parameter(
-                id=pair,
-                left=scales[pair].left,
-                right=scales[pair].right,
-                values=tuple(solution.matrix[:, place].tolist()),
-            )
-            for place, pair in enumerate(solution.kept)
-        ),
-    )
+    titles = impression_names.titles(solution.clusters, scales, {})
+    return impression_space.sliders(solution, scales.values(), titles)
