@@ -1,0 +1,3 @@
+import "../styles/results.css";
+import "../styles/impressions.css";
+import "../impressions/impressions_page";

@@ -1,0 +1,33 @@
+// The curve over the number of participants, in the words of Vega-Lite.
+import type { Spec } from "../results/chart";
+import type { Stability } from "./answers";
+
+export interface Palette {
+  ink: string;
+  quiet: string;
+  line: string;
+  data: string;
+}
+
+/** The page's colours, as they are in this mode. */
+export function paletteOf(element: Element): Palette {
+  const style = getComputedStyle(element);
+  const [ink, quiet, line, data] = ["--ink", "--ink-2", "--line", "--bipolar-1"].map((name) => style.getPropertyValue(name).trim());
+  return { ink, quiet, line, data } as Palette;
+}
+
+export function curve(points: Stability["by_participants"], { ink, quiet, line, data }: Palette): Spec {
+  const axis = { domain: false, ticks: false, labelColor: quiet, labelFontSize: 13, labelPadding: 8, titleColor: quiet, titleFontSize: 13, titleFontWeight: 400 };
+  const x = { field: "participants", type: "quantitative", title: "participants", axis: { ...axis, grid: false, tickMinStep: 1 }, scale: { zero: false, nice: false } };
+  const scale = { domain: [Math.min(0, ...points.map(({ low }) => low)), 1] };
+  const y = { type: "quantitative", scale, axis: { ...axis, gridColor: line, tickCount: 5, title: null } };
+  return {
+    width: "container", height: 220, background: "transparent", padding: 2,
+    config: { view: { stroke: null }, text: { color: ink } },
+    data: { values: points.map((point) => ({ ...point })) },
+    layer: [
+      { mark: { type: "area", color: data, opacity: 0.18 }, encoding: { x, y: { ...y, field: "low" }, y2: { field: "high" } } },
+      { mark: { type: "line", color: data, strokeWidth: 2, point: { color: data, size: 42 } }, encoding: { x, y: { ...y, field: "mean" } } },
+    ],
+  } as unknown as Spec;
+}
