@@ -52,12 +52,16 @@ class Supplies:
 def render(source: bytes, operations: Steps, supplies: Supplies, stature: float) -> ClipFiles:
     """The edited clip with all its files; ``stature`` is the source's, in metres.
 
+    On another body the stature is measured again.
+
     Raises:
         InvalidError: the recipe is wrong, or the clip does not lend itself to it.
     """
     with _told():
-        edited = Recipe.parse(operations).apply(_clip(source), _materials(supplies))
-        return make_files(edited, stature)
+        clip = _clip(source)
+        edited = Recipe.parse(operations).apply(clip, _materials(supplies))
+        same = edited.skeleton.content_hash == clip.skeleton.content_hash
+        return make_files(edited, stature if same else None)
 
 
 def preview(source: bytes, operations: Steps, supplies: Supplies) -> bytes:
