@@ -144,51 +144,9 @@ def create(
         InvalidError: the clips cannot be blended with each other.
         NotFoundError: there is no such clip.
     """
-    made = freeze(
-        database,
-        writer,
-        workers,
-        name=request.name,
-        clip_ids=request.clips,
-        keytimes=request.keytimes,
-        made_by=made_by,
-    )
+    defined = define(database, workers, request.name, request.clips, keytimes=request.keytimes)
+    made = writer.write(lambda db: keep(db, defined, study_id=None, made_by=made_by))
     return detail(database, made.id)
-
-
-def freeze(
-    database: Database,
-    writer: Writer,
-    workers: Workers,
-    *,
-    name: str,
-    clip_ids: Sequence[str],
-    adjectives: Sliders | None = None,
-    origin: Origin | None = None,
-    keytimes: Mapping[str, Keytimes] | None = None,
-    study_id: int | None = None,
-    made_by: int | None = None,
-) -> SpaceLine:
-    """Make a space and keep it; the same definition again is the same space.
-
-    Args:
-        database: read before anything is computed.
-        writer: stores the space in one transaction.
-        workers: compute keytimes and features.
-        name: the space is the next version of this name.
-        clip_ids: the examples in their order.
-        adjectives: their places by what people said, in that order; None if nobody did.
-        origin: where those come from.
-        keytimes: clip id to events, where they are not to be found automatically.
-        study_id: whose answers.
-        made_by: who asks for it.
-
-    Raises:
-        InvalidError: the clips cannot be blended with each other.
-        NotFoundError: there is no such clip.
-    """
-    defined = define(database, workers, name, clip_ids, adjectives, origin, keytimes or {})
-    return writer.write(lambda db: keep(db, defined, study_id=study_id, made_by=made_by))
 
 
 def define(
@@ -196,19 +154,35 @@ def define(
     workers: Workers,
     name: str,
     clip_ids: Sequence[str],
-    adjectives: Sliders | None,
-    origin: Origin | None,
-    keytimes: Mapping[str, Keytimes],
+    adjectives: Sliders | None = None,
+    origin: Origin | None = None,
+    keytimes: Mapping[str, Keytimes] | None = None,
 ) -> SpaceDefinition:
-    """The definition that ``freeze`` keeps; nothing is stored."""
+    """The definition of a space of clips, for ``keep``; nothing is stored.
+
+    Args:
+        database: where the clips are.
+        workers: compute keytimes and features.
+        name: the space is the next version of this name.
+        clip_ids: the examples in their order.
+        adjectives: their places by what people said, in that order; None if nobody did.
+        origin: where those come from.
+        keytimes: clip id to events, where they are not to be found automatically.
+
+    Raises:
+        ConflictError: a clip waits to be confirmed.
+        InvalidError: the clips cannot be blended with each other.
+        NotFoundError: there is no such clip.
+    """
     from app.services import space_making
 
+    given = keytimes or {}
     check_once(clip_ids)
-    check_keytimes(keytimes, clip_ids)
+    check_keytimes(given, clip_ids)
     with database.reading() as db:
-        gathered = sources(db, clip_ids, keytimes)
+        gathered = sources(db, clip_ids, given)
     return workers.run(
-        gathered[0].id, space_making.define, name, gathered, keytimes, adjectives, origin
+        gathered[0].id, space_making.define, name, gathered, given, adjectives, origin
     )
 
 
