@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 
 _FIRM = 0.5  # of the limits of height and speed: that much below them a point stands firmly
 _FULLY = 0.1  # firmness from which on a point is kept in its place
+_SLOW = 0.02  # m/s: points of a sole slower than this stand alike
 _AROUND = 0.1  # s before and after a cycle that are looked at for speeds at its ends
 
 
@@ -101,18 +102,22 @@ class BlendedFoot:
         joint = self.foot.ankle
         turn = multiply(self.turn, conjugate(pose.rotations[:, joint]))
         soles = [point.place(self.ankle, turn, pose, joint) for point in self.points]
-        firm = [
-            np.maximum(point.firm, firmness(sole, self.travel, clip, self.foot.side))
-            for point, sole in zip(self.points, soles, strict=True)
-        ]
-        held = [_held(one) for one in firm]
-        swings = np.prod([1.0 - one * by for one, by in zip(firm, held, strict=True)], axis=0)
-        ways = [
-            by[:, None] * (one[:, None] * self._way(sole) - self.own * point.way)
-            for point, sole, one, by in zip(self.points, soles, firm, held, strict=True)
-        ]
-        total = np.sum([one * by for one, by in zip(firm, held, strict=True)], axis=0)
-        slid = _taken_back(np.sum(ways, axis=0) / np.maximum(total, 1.0)[:, None], swings)
+        firm = np.stack(
+            [
+                np.maximum(point.firm, firmness(sole, self.travel, clip, self.foot.side))
+                for point, sole in zip(self.points, soles, strict=True)
+            ]
+        )
+        by = _held(firm)
+        swings = np.prod(1.0 - firm * by, axis=0)
+        ways = np.stack([self._way(sole) for sole in soles])
+        too_far = by[..., None] * (
+            firm[..., None] * ways - self.own * np.stack([point.way for point in self.points])
+        )
+        # The slower of its points is the one that a foot stands on.
+        speed = np.linalg.norm(ways, axis=-1) / clip.frame_time
+        share = (firm * by + 1e-9) / (speed**2 + _SLOW**2)
+        slid = _taken_back(np.sum((share / share.sum(axis=0))[..., None] * too_far, axis=0), swings)
         goal = self.ankle.copy()
         goal[:, [0, 2]] -= slid
         lowest = np.min([sole[:, 1] for sole in soles], axis=0)
