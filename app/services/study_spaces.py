@@ -55,13 +55,13 @@ def edit_of(db: Session, made: Authored) -> Edit | None:
     Raises:
         InvalidError: the space has no such slider.
     """
-    from app.services import space_motion
+    from app.services import space_points
 
     space = find(db, made.space)
     if space is None:
         return None
     point = Point(interface=made.interface, values=dict(made.values))
-    recipe = space_motion.prepared_in(db, space.record.id).recipe(point)
+    recipe = space_points.points_in(db, space.record.id).recipe(point)
     return Edit(source=recipe.source, operations=recipe.operations)
 
 

@@ -24,7 +24,8 @@ from app.schemas.spaces import (
 )
 from app.services import samples, space_joining, space_samples, space_targets, spaces
 from app.services.space_making import Source, define, feature_sliders
-from app.services.space_motion import Prepared, Recent, prepared
+from app.services.space_motion import Prepared, prepared
+from app.services.space_points import Recent
 from app.statistics.agreement import adjusted_rand
 from motion.blending.distance import matching_distance
 from motion.features import FEATURE_GROUPS, FEATURES, features
