@@ -6,16 +6,18 @@ import hashlib
 import re
 from functools import cache
 
+import numpy as np
 import pytest
 from sqlalchemy.orm import Session
 
 from app.errors import InvalidError
 from app.persistence import blobs
-from app.persistence.models import ClipRecord
+from app.persistence.models import ClipRecord, SpaceRecord
+from app.schemas.spaces import SpaceDefinition
 from app.schemas.study import LANGUAGES, OF_ONE, StudyDefinition, Words
 from app.services import study_files, study_stimuli
 from app.services.plans import draw_plan
-from app.studies import TEMPLATES, adjectives
+from app.studies import TEMPLATES, adjectives, matching
 from app.studies.emotion import ACTED, MODIFIED
 from motion.procedural.library import sample_clips
 from motion.procedural.styles import ACTED as ACTED_STYLES
@@ -29,6 +31,7 @@ EXPECTED = {
     "most-natural": ("choose", 10),
     "more-natural": ("ab", 5),
     "side-by-side": ("parallel", 18),
+    "matching": ("match", 5),
 }
 each = pytest.mark.parametrize("name", TEMPLATES)
 
@@ -52,7 +55,38 @@ def library(db: Session) -> Session:
             )
         )  # fmt: skip
     db.flush()
+    db.add(_space())
+    db.flush()
     return db
+
+
+def _space() -> SpaceRecord:
+    """The space in which the template's targets are made, its walks anywhere."""
+    walks = [name for name, tags in samples() if tags["set"] == "B"]
+    places = np.random.default_rng(1).random((len(matching.PRIMARY), len(walks))).round(3)
+    space = SpaceDefinition.model_validate(
+        {
+            "title": matching.SPACE,
+            "examples": [
+                {"clip": hashlib.sha256(name.encode()).hexdigest(), "name": name} for name in walks
+            ],
+            "adjectives": {
+                "parameters": [
+                    {"id": f"pair_{name}", "left": "less", "right": "more", "values": row.tolist()}
+                    for name, row in zip(matching.PRIMARY, places, strict=True)
+                ],
+                "primary": [
+                    {"id": name, "title": name, "members": [f"pair_{name}"], "values": row.tolist()}
+                    for name, row in zip(matching.PRIMARY, places, strict=True)
+                ],
+            },
+            "features": {"parameters": [], "primary": []},
+        }
+    )
+    return SpaceRecord(
+        id=space.content_hash, name=space.title, number=1,
+        definition=space.model_dump(mode="json"),
+    )  # fmt: skip
 
 
 def definition(name: str, **options: str) -> StudyDefinition:
@@ -75,7 +109,8 @@ def test_a_template_is_a_whole_study_without_faults(name: str) -> None:
     assert kinds == ["form", "instructions", "trials", "comment", "debriefing"]
     assert study.parts[1].figures
     assert study.welcome.example
-    judged_alone = trials(name).task.kind in OF_ONE  # else trials are counted, not clips
+    # Else trials are counted, not clips; and a target is made again, not judged.
+    judged_alone = trials(name).task.kind in OF_ONE and name != "matching"
     assert ("{clips}" in str(study.thanks.text)) == judged_alone
 
 
@@ -127,7 +162,8 @@ def test_a_template_runs_on_the_sample_library(name: str, library: Session) -> N
     shown = [stimulus.clip for part in published.trials for stimulus in part.stimuli]
     assert len(set(shown)) == len(shown) == EXPECTED[name][1]
     assert all(len(clip) == 64 for clip in shown)
-    assert len(wanted) == {"emotion": 20, "most-natural": 10, "more-natural": 5}.get(name, 0)
+    made = {"emotion": 20, "most-natural": 10, "more-natural": 5, "matching": 8}
+    assert len(wanted) == made.get(name, 0)
     names = [stimulus.name for part in published.trials for stimulus in part.stimuli]
     labels = [str(stimulus.label) for part in published.trials for stimulus in part.stimuli]
     assert len(set(names)) == len(set(labels)) == len(shown)
