@@ -214,7 +214,11 @@ def _check_skeletons(sources: Sequence[Source], clips: Sequence[Clip]) -> None:
         raise InvalidError(
             f"{_named(others)} a skeleton other than that of “{sources[0].name}”.",
             code="skeletons_differ",
-            where={"field": "clips", "clips": [source.id for source in others]},
+            where={
+                "field": "clips",
+                "clips": [source.id for source in others],
+                "onto": sources[0].id,
+            },
             mend=f"Put them onto it first, by a recipe with retarget@1 and the clip "
             f"“{sources[0].name}”.",
         )

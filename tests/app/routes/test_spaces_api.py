@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 from app.persistence.engine import Database
-from app.services import library
+from app.services import library, samples, space_samples
+from app.services.spaces import SAMPLES
+from motion.procedural.library import set_a
 from motion.storage import clip_from_bytes
 from tests.app.conftest import Researching
 from tests.support.motions import walk_bvh
@@ -187,7 +189,7 @@ def test_clips_of_other_skeletons_are_named_with_the_mend(author: Researching) -
     answer = author.post(SPACES, json={"name": "Mixed", "clips": [*clips, uploaded]})
     assert refusal(answer) == (422, "skeletons_differ")
     error = answer.json()["error"]
-    assert error["where"]["clips"] == [uploaded]
+    assert error["where"] == {"field": "clips", "clips": [uploaded], "onto": clips[0]}
     assert "“stranger”" in error["message"]
     assert "retarget@1" in error["mend"]
     assert author.get(SPACES).json() == {"spaces": []}
@@ -262,3 +264,46 @@ def test_pages_of_spaces_show_to_the_signed_in(author: Researching) -> None:
     assert author.get("/studio/spaces").status_code == 200
     assert space["id"] in author.get(f"/studio/spaces/{space['id']}").text
     assert author.get(f"/studio/spaces/{'0' * 64}").status_code == 404
+
+
+def test_a_clip_that_nobody_judged_joins_a_space_of_adjectives(
+    signed_in: Researching, database: Database
+) -> None:
+    samples.make(database, set_a)
+    space_samples.make(database)
+    (space,) = signed_in.get(SPACES).json()["spaces"]
+    assert (space["name"], space["simulated"]) == (SAMPLES["set_a"], True)
+    assert space["interfaces"] == ["adjectives", "features", "weights"]
+    before = signed_in.get(f"{SPACES}/{space['id']}").json()["definition"]
+    quicker = {"source": before["examples"][0]["clip"],
+               "operations": [{"operation": "tempo@1", "parameters": {"factor": 1.3}}]}  # fmt: skip
+    new = signed_in.post("/api/v1/clips", json=quicker).json()["id"]
+    told = signed_in.get(f"{SPACES}/{space['id']}/predictions/{new}").json()
+    assert told["can_join"], told["sentence"]
+    kept = [row["id"] for row in told["parameters"] if not row["refused"]]
+    version = signed_in.post(f"{SPACES}/{space['id']}/versions", json={"join": [new]}).json()
+    after = version["definition"]
+    assert after["examples"][-1]["clip"] == new
+    assert after["examples"][-1]["predicted"]
+    assert [one["id"] for one in after["adjectives"]["parameters"]] == kept
+    values = {row["id"]: row["value"] for row in told["parameters"]}
+    for one in after["adjectives"]["parameters"]:
+        assert one["values"][-1] == round(values[one["id"]], 6)
+    again = signed_in.post(f"{SPACES}/{version['id']}/versions", json={"join": [new]})
+    assert refusal(again) == (422, "clip_twice")
+
+
+def test_targets_over_the_api_are_recipes_that_make_clips(
+    signed_in: Researching, database: Database
+) -> None:
+    samples.make(database, set_a)
+    space_samples.make(database)
+    (space,) = signed_in.get(SPACES).json()["spaces"]
+    url = f"{SPACES}/{space['id']}/targets"
+    targets = signed_in.post(url, json={"count": 2, "seed": 7}).json()["targets"]
+    assert targets == signed_in.post(url, json={"count": 2, "seed": 7}).json()["targets"]
+    for target in targets:
+        point = {"interface": "adjectives", "values": target["values"]}
+        assert asked(signed_in, space, "weights", point).json()["weights"] == target["weights"]
+        clip = {key: target[key] for key in ("source", "operations", "name")}
+        assert signed_in.post("/api/v1/clips", json=clip).status_code == 201
