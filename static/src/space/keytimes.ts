@@ -37,3 +37,33 @@ export function mixedContacts(session: SpaceSession): Contacts {
   const duration = examples.reduce((sum, one) => sum + one.weight * one.duration, 0);
   return contactsOf(mixedKeytimes(examples), duration);
 }
+
+export interface KeytimeRow {
+  title: string;
+  events: { name: string; word: string }[];
+}
+
+/** Events by what their names begin with: `left_strike` and `left_off` stand in the row “Left events”. */
+export function rowsOf(keytimes: Keytimes): KeytimeRow[] {
+  const rows = new Map<string, KeytimeRow>();
+  for (const name of Object.keys(keytimes).sort()) {
+    const [first, ...rest] = name.split("_");
+    const foot = SIDES.includes(first as "left") && rest.length > 0;
+    const title = foot ? `${first === "left" ? "Left" : "Right"} events` : "Events";
+    const row = rows.get(title) ?? { title, events: [] };
+    row.events.push({ name, word: foot ? rest.join(" ") : name.replaceAll("_", " ") });
+    rows.set(title, row);
+  }
+  return [...rows.values()];
+}
+
+const STEP = 0.01;
+const LEAP = 0.05;
+
+/** Where a key takes a moment; null for a key that means nothing here. */
+export function steppedTime(time: number, key: string, far: boolean): number | null {
+  const step = far ? LEAP : STEP;
+  if (key === "ArrowLeft" || key === "ArrowDown") return time - step;
+  if (key === "ArrowRight" || key === "ArrowUp") return time + step;
+  return key === "Home" ? 0 : null;
+}

@@ -1,4 +1,5 @@
 // Where an author stands in a space: by adjectives, by features, or by bare weights. No DOM in here.
+import type { Choosable, Cluster } from "./pair_chooser";
 import type { Point, Sliders, Space } from "./server";
 import { wordsIn } from "./words";
 
@@ -60,8 +61,9 @@ export function slidersOf(space: Space, kind: Kind, language: string): Slider[] 
 }
 
 /** The single sliders in the order of their clusters, each cluster under its title; those without one come last. */
-export function clustersOf(sliders: Sliders, all: readonly Slider[], language: string): { title: string; pairs: Slider[] }[] {
-  const pairs = all.filter(({ primary }) => !primary);
+export function clustersOf(sliders: Sliders, all: readonly Slider[], language: string): Cluster[] {
+  // A pair of words is named by its ends.
+  const pairs: Choosable[] = all.filter(({ primary }) => !primary).map((one) => (one.reach ? one : { ...one, title: undefined }));
   const clusters = sliders.primary.map(({ title, members }) => ({
     title: wordsIn(title, language), pairs: members.flatMap((id) => pairs.filter((pair) => pair.id === id)),
   }));
@@ -160,6 +162,29 @@ function located(shown: Values, space: Space, kind: Kind, where: (values: readon
   const sliders = space.definition[kind];
   const known = new Map([...(sliders?.primary ?? []), ...(sliders?.parameters ?? [])].map(({ id, values }) => [id, values]));
   return Object.fromEntries(Object.keys(shown).map((id) => [id, fine(where(known.get(id) ?? []))]));
+}
+
+/** Farther than this from the middle a slider says something. */
+const SAYS = 0.1;
+
+/** "slow, happy": what the farthest sliders say, or whom a mix takes most of. */
+export function nameOf(place: Place, space: Space): string {
+  const { by } = place;
+  if (by !== "weights") {
+    const known = new Map(slidersOf(space, by, "en").map((slider) => [slider.id, slider]));
+    const far = Object.entries(place[by]).filter(([, value]) => Math.abs(value - MIDDLE) > SAYS)
+      .sort(([, a], [, b]) => Math.abs(b - MIDDLE) - Math.abs(a - MIDDLE));
+    const words = far.slice(0, 2).map(([id, value]) => wordOf(known.get(id)!, value));
+    return words.join(", ") || "in the middle";
+  }
+  const [clip] = Object.entries(place.weights).reduce((most, one) => (one[1] > most[1] ? one : most));
+  return `mix of ${space.definition.examples.find((one) => one.clip === clip)?.name ?? "examples"}`;
+}
+
+function wordOf({ title, left, right, reach, primary }: Slider, value: number): string {
+  const end = (value < MIDDLE ? left : right).split(", ")[0]!;
+  // “less” and “more” say nothing without what is measured.
+  return reach || (primary && ["less", "more"].includes(end)) ? `${value < MIDDLE ? "less" : "more"} ${title.toLowerCase()}` : end;
 }
 
 /** "0.42 m": a value of a feature, as it is measured. */

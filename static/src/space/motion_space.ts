@@ -4,12 +4,17 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import type { ApiError } from "../api";
 import type { ExportActs, Suffix } from "../studio/export_panel";
+import type { ClipPicker } from "../studio/picker";
+import * as studio from "../studio/server";
 import { asApiError } from "../studio/session";
 import { note, unreachable } from "../studio/stage_view";
 import type { MotionViewer } from "../viewer";
 import { language } from "../words";
 import { feelPanel, type FeelActs } from "./feel_panel";
+import type { JoinDialog } from "./join_dialog";
+import { keytimePanel, type KeytimeActs } from "./keytime_panel";
 import { mixedContacts } from "./keytimes";
+import { mapPanel, type Axes } from "./map_panel";
 import {
   added, clustersOf, middle, mixed, moved, placeOfExample, removed, slidersOf, swapped, switched, weighed, type Kind, type Place,
 } from "./model";
@@ -19,10 +24,14 @@ import { SpaceSession } from "./session";
 import { spaceBar, type Drawer } from "./space_bar";
 import { weightsPanel, type WeightActs } from "./weights_panel";
 import { languagesOf } from "./words";
+import "../studio/picker";
 import "../studio/time_strip";
+import "./join_dialog";
 import "./pair_chooser";
 
 const FIGURE = 0;
+/** Here a drawer hides the time strip. */
+const PHONE = "(max-width: 699px)";
 
 @customElement("motion-space")
 export class MotionSpace extends LitElement {
@@ -33,9 +42,13 @@ export class MotionSpace extends LitElement {
   @state() private busy = false;
   @state() private said = "";
   @state() private language = language();
+  @state() private axes: Axes | null = null;
+  @state() private clips: studio.Clip[] = [];
   @state() private stageViewer: MotionViewer | null = null;
   @query("motion-viewer") private viewer!: MotionViewer | null;
   @query("pair-chooser") private chooser!: PairChooser;
+  @query("clip-picker") private picker!: ClipPicker;
+  @query("join-dialog") private joining!: JoinDialog;
   private shownAt = 0;
   private readonly online = () => {
     if (this.failure?.transient) void this.begin();
@@ -198,16 +211,60 @@ export class MotionSpace extends LitElement {
         const byWeights = (place: Place) => switched(place, "weights", session!.space, session!.weights);
         this.move((place) => weighed(byWeights(place), clip, weight), clip);
       },
-      look: (index) => this.session!.look(this.session!.looking === index ? null : index),
-      join: () => {},
+      look: (index) => this.look(index),
+      join: () => void this.chooseClip(),
       variant: async () => ({ ...(await this.session!.recipe()), name: this.session!.name || this.session!.suggestedName }),
       download: (suffix) => void this.download(suffix),
       copied: (words) => (this.said = words),
     };
   }
 
+  private look(index: number): void {
+    this.session!.look(this.session!.looking === index ? null : index);
+    if (matchMedia(PHONE).matches) this.drawer = null; // its events stand under the stage
+  }
+
   private goTo(index: number): void {
     this.move((place) => placeOfExample(place, this.session!.space, index), "example");
+  }
+
+  private keytimeActs(session: SpaceSession, index: number): KeytimeActs {
+    const { clip } = session.space.definition.examples[index]!;
+    return {
+      move: ({ name, time }) => {
+        session.setKeytimes(index, { ...session.keytimesOf(index), [name]: time }, `${clip} ${name}`);
+        this.viewer?.pause();
+        this.viewer?.seek(time);
+      },
+      find: () => void this.attempt(async () => session.setKeytimes(index, await server.keytimes(clip), "find")),
+      save: () => void this.attempt(() => this.renew({ keytimes: session.changedKeytimes ?? {} })),
+    };
+  }
+
+  /** The space's next version takes this one's place on the page; what was made of the sliders stays. */
+  private async renew(change: Parameters<typeof server.version>[1]): Promise<void> {
+    const { place, name } = this.session!;
+    this.open(await server.version(this.wanted, change));
+    const { space, history } = this.session!;
+    const weights = Object.fromEntries(space.definition.examples.map(({ clip }) => [clip, place.weights[clip] ?? 0]));
+    history.set({ ...history.present, place: { ...place, weights } }, "version");
+    this.session!.name = name;
+    this.said = `Version ${space.number} is made`;
+  }
+
+  private async chooseClip(): Promise<void> {
+    await this.attempt(async () => {
+      const there = new Set(this.session!.space.definition.examples.map(({ clip }) => clip));
+      this.clips = (await studio.clips()).filter(({ id }) => !there.has(id));
+    });
+    if (!this.failure) this.picker.show();
+  }
+
+  private async join(clip: string): Promise<void> {
+    await this.attempt(() => this.renew({ join: [clip] }));
+    if (!this.failure) return this.joining.close();
+    this.joining.refuse(this.failure);
+    this.failure = null;
   }
 
   private showExports(): void {
@@ -228,13 +285,24 @@ export class MotionSpace extends LitElement {
     return html`${spaceBar(session, { drawer, busy }, acts)}
       <div class="studio space ${drawer ? `with-${drawer}` : ""}">
         <aside class="side movement" aria-label="How it feels" @pointerdown=${note} @pointermove=${note} @keydown=${note} @input=${note}>
-          ${session ? feelPanel(session, { language: this.language, languages: this.languages, map: nothing }, this.feelActs) : nothing}</aside>
+          ${session ? feelPanel(session, { language: this.language, languages: this.languages, map: this.map(session) }, this.feelActs) : nothing}</aside>
         ${this.stage(session)}
         ${session ? this.strip(session) : nothing}
         <aside class="side results" aria-label="The mix" @pointerdown=${note} @pointermove=${note} @keydown=${note} @input=${note}>
           ${session ? weightsPanel(session, { said: this.said, busy }, this.weightActs) : nothing}</aside>
       </div>
       ${session ? this.dialogs(session) : nothing}`;
+  }
+
+  private map(session: SpaceSession): TemplateResult | typeof nothing {
+    const { place, space } = session;
+    const kind = place.by === "weights" ? (space.definition.adjectives ? "adjectives" : "features") : place.by;
+    return mapPanel(session, kind, slidersOf(space, kind, this.language), this.axes, {
+      choose: (axes) => (this.axes = axes),
+      place: ({ x, y }, [across, up]) =>
+        this.move((place) => moved(switched(place, kind, space, session.weights), { [across]: x, [up]: y }), "map"),
+      example: (index) => this.goTo(index),
+    });
   }
 
   private stage(session: SpaceSession | null): TemplateResult {
@@ -249,11 +317,11 @@ export class MotionSpace extends LitElement {
     const [first] = clips;
     return html`${keyed(id, html`<motion-viewer theme="auto" controls="views" arrange="one" autoplay loop="on" label=${name}
       @ready=${() => this.onReady()} @motion=${() => this.onMotion()}>
-      <motion-figure src=${first!.glb_url} figure=${first!.figure_url ?? nothing} as="clay" label="the mix"></motion-figure></motion-viewer>`)}`;
+      <motion-figure src=${first!.glb_url} figure=${first!.figure_url ?? nothing} as="clay"></motion-figure></motion-viewer>`)}`;
   }
 
   private looked(session: SpaceSession, index: number): TemplateResult {
-    return html`<div class="stage-tools looked" role="group" aria-label="Example"><p role="status"><span class="tiny">Example</span> <b>${session.space.clips[index]!.name}</b></p>
+    return html`<div class="looked" role="group" aria-label="Example"><p role="status"><span class="tiny">Example</span> <b>${session.space.clips[index]!.name}</b></p>
       <button class="button" type="button" @click=${() => this.goTo(index)}>Go there</button>
       <button class="button" type="button" @click=${() => session.look(null)}>Back to the mix</button></div>`;
   }
@@ -271,17 +339,23 @@ export class MotionSpace extends LitElement {
 
   private strip(session: SpaceSession): TemplateResult {
     return html`<section class="studio-strip" aria-label="When"><time-strip .viewer=${this.stageViewer}
-      .contacts=${mixedContacts(session)} .findings=${null}></time-strip></section>`;
+      .contacts=${mixedContacts(session)} .findings=${null}></time-strip>
+      ${session.looking === null ? nothing : keytimePanel(session, session.looking, this.busy, this.keytimeActs(session, session.looking))}</section>`;
   }
 
-  private dialogs({ place, space }: SpaceSession): TemplateResult {
+  private dialogs(session: SpaceSession): TemplateResult {
+    const joined = ({ detail }: CustomEvent<string>) => void this.joining.show(this.clips.find(({ id }) => id === detail)!);
+    return html`${this.pairs(session)}
+      <clip-picker .clips=${this.clips} @pick=${joined}></clip-picker>
+      <join-dialog space=${session.space.id} language=${this.language} next=${session.nextVersion} @join=${({ detail }: CustomEvent<string>) => void this.join(detail)}></join-dialog>`;
+  }
+
+  private pairs({ place, space }: SpaceSession): TemplateResult | typeof nothing {
     const { by } = place;
-    if (by === "weights") return html`${nothing}`;
-    const sliders = space.definition[by];
-    const all = slidersOf(space, by, this.language);
-    const clusters = sliders ? clustersOf(sliders, all, this.language) : [];
-    const named = clusters.map(({ title, pairs }) => ({ title, pairs: pairs.map((pair) => ({ ...pair, title: pair.reach ? pair.title : undefined })) }));
-    return html`<pair-chooser heading=${by === "adjectives" ? "Choose a pair" : "Choose a feature"} .clusters=${named}
+    const sliders = by === "weights" ? null : space.definition[by];
+    if (by === "weights" || !sliders) return nothing;
+    const clusters = clustersOf(sliders, slidersOf(space, by, this.language), this.language);
+    return html`<pair-chooser heading=${by === "adjectives" ? "Choose a pair" : "Choose a feature"} .clusters=${clusters}
       .taken=${Object.keys(place[by])} @choose=${({ detail }: CustomEvent<Chosen>) => this.choose(detail)}></pair-chooser>`;
   }
 }

@@ -3,10 +3,11 @@ import { api, type ApiError } from "../api";
 import { History } from "../studio/history";
 import { Latest } from "../studio/latest";
 import { freeName } from "../studio/names";
+import { same } from "../studio/recipe";
 import type { Edited } from "../studio/server";
 import * as studio from "../studio/server";
 import { asApiError, type Show } from "../studio/session";
-import { pointOf, start, type Place } from "./model";
+import { nameOf, pointOf, start, type Place } from "./model";
 import * as server from "./server";
 
 /** What undo and redo go through: the place, and the events that were moved in examples. */
@@ -55,7 +56,7 @@ export class SpaceSession {
   }
 
   get suggestedName(): string {
-    return `${this.space.name} mix`;
+    return nameOf(this.place, this.space);
   }
 
   /** The stage can take motions. */
@@ -101,6 +102,18 @@ export class SpaceSession {
     const { place, keytimes: others } = this.history.present;
     this.history.set({ place, keytimes: { ...others, [clip]: keytimes } }, control);
     this.changed();
+  }
+
+  /** The examples whose events were moved away from where the space has them. */
+  get changedKeytimes(): Record<string, server.Keytimes> | null {
+    const known = new Map(this.space.definition.examples.map(({ clip, keytimes }) => [clip, keytimes]));
+    const changed = Object.entries(this.history.present.keytimes).filter(([clip, keytimes]) => !same(keytimes, known.get(clip)));
+    return changed.length ? Object.fromEntries(changed) : null;
+  }
+
+  /** What this space becomes when it is changed. */
+  get nextVersion(): string {
+    return this.space.newest ? `version ${this.space.number + 1}` : "a new version";
   }
 
   /** Look at an example as it is; null goes back to the mix. */

@@ -56,7 +56,7 @@ function facts({ outside, space, place }: SpaceSession, { join }: WeightActs): T
   const notes = (space.notes as Record<string, string[] | undefined>)[place.by] ?? [];
   return html`<section class="space-facts">
     <p class="outside" role="status">${outside > NONE
-      ? html`${icon("info")}<span><b>${outside.toFixed(2)} outside</b> what the examples span. The figure is the nearest mix of them.</span>`
+      ? html`${icon("info")}<span><b>${outside.toFixed(2)} outside</b> what the examples span. The figure stays a mix of them.</span>`
       : nothing}</p>
     ${notes.map((words) => html`<p class="tiny">${words}</p>`)}
     <button class="link-button" type="button" @click=${join}>${icon("plus")}Add a clip to the space</button></section>`;

@@ -1,5 +1,5 @@
 // Ways to take a motion along: as a file, as its recipe, as a call of the API.
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
 import { asCurl, asPython, asRecipe, type Variant } from "./exports";
 
@@ -12,8 +12,10 @@ export interface ExportActs {
   copied(text: string): void;
 }
 
-/** `said`: what was copied, in words. */
-export function exportPanel({ said, busy }: { said: string; busy: boolean }, { variant, download, copied }: ExportActs): TemplateResult {
+/** `said`: what was copied, in words. `more` stands at the end. */
+export function exportPanel(
+  { said, busy }: { said: string; busy: boolean }, { variant, download, copied }: ExportActs, more: TemplateResult | typeof nothing = nothing,
+): TemplateResult {
   const copy = (write: (variant: Variant) => string, what: string) => async () => {
     await navigator.clipboard.writeText(write(await variant()));
     copied(`${what} copied`);
@@ -28,6 +30,5 @@ export function exportPanel({ said, busy }: { said: string; busy: boolean }, { v
       <li><button class="link-button" type="button" @click=${copy((one) => asCurl(one, server), "Call")}>${icon("copy")}Copy as curl call</button></li>
       <li><button class="link-button" type="button" @click=${copy((one) => asPython(one, server), "Program")}>${icon("copy")}Copy as Python</button></li>
     </ul>
-    <p class="hint">The calls read an <a href="/research/keys">API key</a> from MANNER_KEY.</p>
-    <a class="make-set" href="/research/sets">${icon("sets")}Make a set</a></section>`;
+    <p class="hint">The calls read an <a href="/research/keys">API key</a> from MANNER_KEY.</p>${more}</section>`;
 }

@@ -68,4 +68,4 @@ const exports = (session: Session, { said, busy }: ResultState, { download, copi
     variant: () => Promise.resolve({ source: session.source.id, operations: session.steps, name: session.name || session.suggestedName }),
     download,
     copied,
-  });
+  }, html`<a class="make-set" href="/research/sets">${icon("sets")}Make a set</a>`);
