@@ -59,15 +59,19 @@ def cut_cycle(clip: Clip, start: float | None = None, end: float | None = None) 
     if start is None and end is None:
         if clip.cyclic:
             return _from_left_strike(clip)
-        cycle = _standing(_seamless(clip, *_best_stride(clip)))
-        return _along_z(_from_left_strike(cycle))
-    return _along_z(_standing(_seamless(clip, *_asked_for(clip, start, end))))
+        return _along_z(_from_left_strike(_closed(clip, *_best_stride(clip))))
+    return _along_z(_closed(clip, *_asked_for(clip, start, end)))
 
 
-def _standing(cycle: Clip) -> Clip:
-    """The cycle with feet that do not slide where they stand, if it has legs."""
-    legs = all(f"{s}_{part}" in cycle.skeleton.roles for s in SIDES for part in _LEG)
-    return repair_feet(cycle, cycle, as_straight=True) if legs else cycle
+def _closed(clip: Clip, first: int, last: int) -> Clip:
+    """The cycle from first to last, seamless, its feet standing where and when they stood."""
+    cycle = _seamless(clip, first, last)
+    if not all(f"{s}_{part}" in clip.skeleton.roles for s in SIDES for part in _LEG):
+        return cycle
+    left, right = (
+        replace(foot, planted=foot.planted[:, first : last + 1]) for foot in find_feet(clip)
+    )
+    return repair_feet(cycle, cycle, feet=(left, right), as_straight=True)
 
 
 def roll_cycle(clip: Clip, frame: int) -> Clip:

@@ -22,6 +22,7 @@ from motion.kinematics import WorldPose, forward_kinematics
 from motion.rotations import between, conjugate, multiply, rotate, slerp
 
 Array = NDArray[np.float64]
+Feet = tuple[Foot, Foot]
 
 _LEVEL = np.array([1.0, 0.0, 1.0])
 _BLEND = 0.08  # s in which a foot goes over into its plant and out of it
@@ -31,20 +32,24 @@ _STRETCH = 0.985  # of the leg's length: a standing leg reaches no farther, or i
 _STRAIGHTEST = 0.998
 
 
-def repair_feet(original: Clip, edited: Clip, *, as_straight: bool = False) -> Clip:
+def repair_feet(
+    original: Clip, edited: Clip, *, feet: Feet | None = None, as_straight: bool = False
+) -> Clip:
     """The edited clip with hips and legs such that feet stand where and when they stood before.
 
     Args:
         original: the clip before the edit: it tells when the feet stand.
         edited: the same skeleton and frames with other rotations; a cycle stays a cycle.
+        feet: the original's, where it is known better than by looking when they stand.
         as_straight: standing legs may be as straight as they were before, however little more
             would make their knees snap; for edits that hardly move the feet.
     """
     if original.cyclic and original.frames > 1:
         three = three_cycles(original), three_cycles(edited)
-        return middle_cycle(repair_feet(*three, as_straight=as_straight))
+        thrice = feet and (_three_times(feet[0]), _three_times(feet[1]))
+        return middle_cycle(repair_feet(*three, feet=thrice, as_straight=as_straight))
     before = forward_kinematics(original)
-    feet = find_feet(original, before)
+    feet = feet or find_feet(original, before)
     if not any(foot.stands.any() for foot in feet):
         return edited
     moved = replace(edited, root_positions=_hips_path(original, edited, feet, before))
@@ -55,7 +60,13 @@ def repair_feet(original: Clip, edited: Clip, *, as_straight: bool = False) -> C
     return legs_onto(lowered, goals, before)
 
 
-def _hips_path(original: Clip, edited: Clip, feet: tuple[Foot, Foot], before: WorldPose) -> Array:
+def _three_times(foot: Foot) -> Foot:
+    """A cycle's foot over three cycles."""
+    once = foot.planted[:, :-1]
+    return replace(foot, planted=np.hstack([once, once, foot.planted]))
+
+
+def _hips_path(original: Clip, edited: Clip, feet: Feet, before: WorldPose) -> Array:
     """(T, 3) path of the root that moves against the slip of the standing feet.
 
     Level it is moved by what the feet slip more than in the original, so that a walk whose ankles
@@ -76,7 +87,7 @@ def _hips_path(original: Clip, edited: Clip, feet: tuple[Foot, Foot], before: Wo
     return original.root_positions + change
 
 
-def _with_standing_toes(clip: Clip, original: Clip, feet: tuple[Foot, Foot]) -> Clip:
+def _with_standing_toes(clip: Clip, original: Clip, feet: Feet) -> Clip:
     """The clip with toes bent as in the original while the foot stands on them."""
     rotations = clip.rotations.copy()
     for foot in feet:
@@ -116,7 +127,8 @@ def _within_reach(
 ) -> Clip:
     """The clip with its hips lowered where a standing leg would not reach.
 
-    Legs that were straighter in a pose ``before`` may be so again.
+    Legs that were straighter in a pose ``before`` may be so again; then swinging ones are looked
+    after as well, which would snap when they come to their end.
     """
     needed = np.zeros(clip.frames)
     for foot, (ankle, _) in goals.items():
@@ -128,7 +140,8 @@ def _within_reach(
             was = before.positions[:, foot.thigh] - before.positions[:, foot.ankle]
             reach = np.clip(np.linalg.norm(was, axis=1), reach, _STRAIGHTEST * length)
         highest = ankle[:, 1] + np.sqrt(np.maximum(reach**2 - level**2, 0.0))
-        needed = np.maximum(needed, np.where(foot.stands, hip[:, 1] - highest, 0.0))
+        asked = foot.stands if before is None else True
+        needed = np.maximum(needed, np.where(asked, hip[:, 1] - highest, 0.0))
     root = clip.root_positions.copy()
     root[:, 1] -= _soft_maximum(needed, clip.frame_time)
     return replace(clip, root_positions=root)
