@@ -18,6 +18,7 @@ from app.schemas.study.words import ContentHash, Name, Part, Title
 
 MOST_EXAMPLES = 64
 MOST_PARAMETERS = 100
+START = 0.5  # where a slider stands at first
 
 Unit = Annotated[float, Field(ge=0, le=1)]
 Seconds = Annotated[float, Field(ge=0, le=1e6)]

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from app.errors import ConflictError, InvalidError
 from app.persistence import clips, studies
 from app.persistence.studies import Media
-from app.schemas.spaces import Point, Primary, Sliders, SpaceDefinition
+from app.schemas.spaces import START, Point, Primary, Sliders, SpaceDefinition
 from app.schemas.study import Interface, Language, Match, StudyDefinition, Trials
 from app.services.plans import Step, planned_steps
 from app.services.sessions import open_session
@@ -21,7 +21,6 @@ if TYPE_CHECKING:  # they bring SciPy, for which the server's start shall not wa
     from app.services.space_motion import Prepared
     from motion import Clip
 
-START = 0.5  # where every slider stands at first
 SHOWN_WORDS = 3  # of a cluster's pairs, at the ends of its slider
 MEASURED = ("interface", "seen", "distance", "solved")
 TARGETS_KEPT = 64

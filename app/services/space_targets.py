@@ -10,7 +10,14 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from app.errors import InvalidError
-from app.schemas.spaces import Point, SpaceDefinition, Target, TargetList, TargetRequest
+from app.schemas.spaces import (
+    START,
+    Point,
+    SpaceDefinition,
+    Target,
+    TargetList,
+    TargetRequest,
+)
 from app.services.space_motion import Prepared
 from motion import Clip
 from motion.blending.distance import matching_distance
@@ -24,8 +31,9 @@ def draw(
 ) -> TargetList:
     """Targets at random points of the primary adjectives, in the order in which they were drawn.
 
-    Of more points than are wanted those are taken whose motions lie far apart: the first drawn,
-    then always the one that is farthest from all taken (Gonzalez 1985).
+    Of more points than are wanted those are taken whose motions lie far apart: always the one that
+    is farthest from all taken (Gonzalez 1985), and from where the sliders stand at first, so that
+    no target is matched before anybody moves one.
 
     Raises:
         InvalidError: the space has no adjectives.
@@ -40,8 +48,9 @@ def draw(
     names = [one.id for one in definition.adjectives.primary]
     drawn = np.random.default_rng(request.seed).random((request.count + SPARE, len(names)))
     points = [_point(names, row) for row in drawn]
-    clips = [ready.clip(ready.weights(point).weights) for point in points]
-    taken = sorted(_far_apart(clips, request.count))
+    start = _point(names, np.full(len(names), START))
+    first, *clips = [ready.clip(ready.weights(point).weights) for point in (start, *points)]
+    taken = sorted(_far_apart(first, clips, request.count))
     return TargetList(
         targets=[
             Target(
@@ -59,13 +68,12 @@ def _point(names: Sequence[str], row: np.ndarray) -> Point:
     return Point(interface="adjectives", values=values)
 
 
-def _far_apart(clips: Sequence[Clip], count: int) -> list[int]:
-    taken = [0]
-    nearest = np.full(len(clips), np.inf)
+def _far_apart(start: Clip, clips: Sequence[Clip], count: int) -> list[int]:
+    taken: list[int] = []
+    nearest = np.array([matching_distance(start, clip) for clip in clips])
     while len(taken) < count:
-        last = clips[taken[-1]]
-        apart = [matching_distance(last, clip) for clip in clips]
+        taken.append(int(np.argmax(nearest)))
+        apart = [matching_distance(clips[taken[-1]], clip) for clip in clips]
         nearest = np.minimum(nearest, apart)
         nearest[taken] = -1.0
-        taken.append(int(np.argmax(nearest)))
     return taken

@@ -22,16 +22,19 @@ from app.studies.texts import (
 )
 
 SPACE = "Walks of set B (simulated raters)"
-PRIMARY = ("quickness", "clearness", "activeness", "largeness")
-# Drawn at random and chosen to lie far from each other, so that they are various walks.
+PRIMARY = ("clearness", "activeness", "quickness", "largeness")
+# Drawn in that space (seed 7), far from each other and from where the sliders begin.
 TARGETS = (
-    (0.82, 0.35, 0.71, 0.64),
-    (0.21, 0.78, 0.33, 0.28),
-    (0.55, 0.62, 0.88, 0.81),
-    (0.34, 0.24, 0.18, 0.45),
-    (0.90, 0.81, 0.52, 0.30),
+    (0.215, 0.160, 0.613, 0.044),
+    (0.913, 0.802, 0.878, 0.523),
+    (0.014, 0.628, 0.793, 0.513),
+    (0.370, 0.004, 0.830, 0.154),
+    (0.253, 0.249, 0.188, 0.567),
 )
-PRACTICE = ((0.5, 0.7, 0.6, 0.5), (0.75, 0.4, 0.4, 0.55), (0.3, 0.5, 0.6, 0.7))
+PRACTICE = ((0.968, 0.215, 0.672, 0.3), (0.967, 0.658, 0.428, 0.524), (0.625, 0.897, 0.776, 0.225))
+# The paper's 0.06 m is for captured walks. Two random blends of these samples lie 0.05 m from each
+# other (the median), so that most would match at once.
+THRESHOLD = 0.02
 MINUTES = 40
 
 
@@ -63,6 +66,7 @@ def _matching(space: str = SPACE) -> Document:
                 "完璧でなくて構いません。十分に近づくと、画面でお知らせします。",
             ),
             "space": space,
+            "threshold": THRESHOLD,
             "practice_targets": _targets(text("Practice", "Harjoitus", "練習"), PRACTICE, space),
         },
         "stimuli": _targets(text("Target", "Kohde", "目標"), TARGETS, space),
@@ -132,8 +136,9 @@ TEMPLATES = (
         "Five targets are made again with adjectives, motion features and blending weights: "
         "guessed unseen first, then within five minutes each.",
         MINUTES,
-        "It uses a space whose raters were simulated: name your own. Have a native reader check "
-        "the Finnish and the Japanese texts; they are ours.",
+        "It uses a space whose raters were simulated, and the threshold that its walks need: name "
+        "your own space, draw its targets and set the threshold (0.06 m in the paper). Have a "
+        "native reader check the Finnish and the Japanese texts; they are ours.",
         _matching,
         {"space": "the authoring space, by its name or id"},
     ),
