@@ -10,7 +10,7 @@ What the template of `templates/research/` is given:
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Depends, Query, Request
 from fastapi.responses import Response
@@ -30,6 +30,7 @@ from app.schemas.impressions import Choices, Comparison, Freeze, Impressions, St
 from app.schemas.results import SessionKind
 from app.schemas.spaces import SpaceLine
 from app.services import (
+    impression_charts,
     impression_choices,
     impression_comparison,
     impression_space,
@@ -42,6 +43,7 @@ from app.settings import Settings
 router = APIRouter(prefix="/research/studies/{slug}/impressions", include_in_schema=False)
 api = APIRouter(prefix="/api/v1/studies/{slug}/impressions", tags=["impressions"], responses=ERRORS)
 
+Mode = Literal["light", "dark"]
 PartId = Annotated[str, Query(max_length=60)]
 Threshold = Annotated[float | None, Query(ge=0, le=10)]
 
@@ -78,6 +80,21 @@ def show_impressions(
         request, "research/impressions.html", impressions=found, role=access.role,
         study={"slug": found.slug, "title": found.title}, section="results",
     )  # fmt: skip
+
+
+@router.get("/figures/{name}.svg")
+def show_figure(
+    access: StudyViewer,
+    name: str,
+    db: Reading,
+    live: TriedOut,
+    mode: Mode = "light",
+    part: PartId | None = None,
+    kind: SessionKind = "participant",
+) -> Response:
+    """The matrix or the tree for print."""
+    drawn = impression_charts.printed(db, access.slug, name, mode, part, kind, live)
+    return Response(drawn, media_type="image/svg+xml")
 
 
 @api.get("")

@@ -60,6 +60,11 @@ class Solution:
         """Which cluster a pair is in; None for a dropped one."""
         return int(self.labels[self.kept.index(pair)]) if pair in self.kept else None
 
+    def of_tree(self, cluster: int) -> list[str]:
+        """The pairs that the tree has in a cluster, in its order, those that were moved last."""
+        found = [pair for pair, by in zip(self.kept, self.by_tree, strict=True) if by == cluster]
+        return sorted(found, key=lambda pair: (pair in self.moved, self.leaves.index(pair)))
+
 
 def solve(
     quantified: Quantified, ids: Sequence[str], choices: Choices, reach: int

@@ -128,15 +128,11 @@ def _clusters(found: Analysed, solution: Solution, result: Combined) -> list[Clu
     titles = found.titles
     told = []
     for cluster, overlap in enumerate(result.cluster_stability.tolist()):
-        places = [int(place) for place in solution.tree.order if solution.by_tree[place] == cluster]
-        stayed = [place for place in places if solution.kept[place] not in solution.moved]
-        first = (stayed or places)[0]
-        title = (
-            titles[solution.labels[first]].title if stayed else between(pairs[solution.kept[first]])
-        )
-        told.append(
-            ClusterStability(key=solution.kept[first], title=str(title)[:200], overlap=overlap)
-        )
+        first = solution.of_tree(cluster)[0]
+        now = solution.cluster_of(first)
+        left = first in solution.moved or now is None
+        title = between(pairs[first]) if left else titles[now or 0].title
+        told.append(ClusterStability(key=first, title=str(title)[:200], overlap=overlap))
     return told
 
 

@@ -125,9 +125,9 @@ def shown(db: Session, found: Analysed, role: Role) -> Impressions:
         kept=list(solution.kept) if solution else [],
         leaves=solution.leaves if solution else [],
         merges=_merges(solution) if solution else [],
-        matrix=_listed(solution.matrix[:, solution.tree.order]) if solution else [],
-        means=_listed(numbers.mean),
-        spreads=_listed(numbers.spread),
+        matrix=listed(solution.matrix[:, solution.tree.order]) if solution else [],
+        means=listed(numbers.mean),
+        spreads=listed(numbers.spread),
         clusters=clusters(found),
         sentence=sentences.outcome(asked, solution, found.titles),
         notes=sentences.notes(asked, found.saved, found.choices, solution),
@@ -141,7 +141,7 @@ def clusters(found: Analysed) -> list[Cluster]:
     solution = found.solution
     if solution is None:
         return []
-    values = _listed(solution.values.T)
+    values = listed(solution.values.T)
     return [
         Cluster(
             key=members[0],
@@ -190,7 +190,7 @@ def _clips(asked: Answers) -> list[Rated]:
 
 def _pairs(found: Analysed) -> list[Pair]:
     numbers, solution = found.answers.quantified, found.solution
-    peaks, spreads = _listed(numbers.peak), _listed(numbers.mean_spread)
+    peaks, spreads = listed(numbers.peak), listed(numbers.mean_spread)
     return [
         Pair(
             id=pair.id,
@@ -215,6 +215,6 @@ def _merges(solution: Solution) -> list[Merge]:
     ]
 
 
-def _listed(numbers: Samples) -> Any:  # noqa: ANN401 -- lists as deep as the array
+def listed(numbers: Samples) -> Any:  # noqa: ANN401 -- lists as deep as the array
     """Numbers as JSON has them: None where one is unknown."""
     return np.where(np.isnan(numbers), np.array(None), numbers).tolist()
