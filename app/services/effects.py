@@ -11,7 +11,7 @@ from pydantic import ValidationError
 
 from app.errors import InvalidError
 from app.schemas.effects import Effects
-from app.schemas.study import Stimulus, StudyDefinition, Trials
+from app.schemas.study import Match, Stimulus, StudyDefinition, Trials
 from app.services.measures import CHOICES, Measure, measures
 from app.services.study_text import StudyText, StudyTextError, read_text
 from app.statistics.intervals import Samples
@@ -68,8 +68,10 @@ def tastes(
     """What is felt about the clips of each part.
 
     Raises:
-        InvalidError: the effects name a value or a clip that the study has not.
+        InvalidError: the effects name a value or a clip that the study has not, or the study asks
+            for more than feelings.
     """
+    _refuse_matching(definition)
     found = [_taste(part, effects) for part in definition.trials]
     values = {key for one in found for measure in one.measures for key in _names(measure)}
     for value, clips in effects.effects.items():
@@ -88,6 +90,16 @@ def tastes(
                 message = f"no clip, style or body is called “{clip}”"
                 raise _unknown(name, read, (*path, clip), message, known)
     return found
+
+
+def _refuse_matching(definition: StudyDefinition) -> None:
+    for part in definition.trials:
+        if isinstance(part.task, Match):
+            raise InvalidError(
+                f"In “{part.id}” targets are matched by hand, which simulated raters cannot do.",
+                code="cannot_simulate",
+                mend="Take the part out of a copy of the study to simulate the rest.",
+            )
 
 
 def _taste(part: Trials, effects: Effects) -> Taste:

@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 from sqlalchemy import select
 
+from app.errors import InvalidError
 from app.persistence.clips import contents
 from app.persistence.engine import Database
 from app.persistence.models import ClipRecord, Response, SpaceRecord
 from app.schemas.spaces import SpaceDefinition
-from app.services import sessions, space_motion
+from app.schemas.study import StudyDefinition
+from app.services import effects, sessions, space_motion
 from app.services.sessions import Beginning
 from motion.blending.distance import matching_distance
 from motion.storage import clip_from_bytes
@@ -250,3 +252,11 @@ def test_the_tables_tell_every_interface_apart_and_every_move(
         "10.0", "e0", "0.4",
     ]  # fmt: skip
     assert {row["stimulus"] for row in moves} == {"one", "two"}
+
+
+def test_simulated_raters_say_that_they_cannot_match() -> None:
+    study = StudyDefinition.model_validate(
+        study_of({"name": "Walks", "clips": [{"clip": f"{n:064x}"} for n in range(3)]})
+    )
+    with pytest.raises(InvalidError, match="matched by hand"):
+        effects.tastes(study, effects.Effects())
