@@ -19,7 +19,6 @@ from motion.rotations import from_directions, make_continuous
 Array = NDArray[np.float64]
 
 _NONE = 1e-9  # a weight below this counts as none
-_OWN = 4  # how fast the slide that an example's feet have of their own goes as others mix in
 
 
 class Blender:
@@ -190,12 +189,10 @@ class Blender:
         feet, start = [], 0
         travel = shares @ self._travel[chosen] if self.cyclic else None
         for foot, soles in zip(self._examples[0].feet, self._soles, strict=True):
-            width = 10 + 3 * len(soles)
+            width = 11 + 3 * len(soles)
             offsets = [shares @ sole[chosen] for sole in soles]
             part = np.ascontiguousarray(columns[:, start : start + width])
-            feet.append(
-                read_foot(foot, offsets, part, gone, travel, float(shares @ shares) ** _OWN)
-            )
+            feet.append(read_foot(foot, offsets, part, gone, travel))
             start += width
         return feet
 

@@ -148,7 +148,9 @@ def _signals(clip: Clip, feet: tuple[Foot, ...]) -> Array:
     pose = forward_kinematics(clip)
     columns = [to_directions(clip.rotations).reshape(clip.frames, -1), clip.root_positions - gone]
     for foot in feet:
-        columns += [pose.positions[:, foot.ankle] - gone]
+        ankle = pose.positions[:, foot.ankle] - gone
+        about = ankle - ankle[:count].mean(axis=0)
+        columns += [ankle, np.sum(about**2, axis=1, keepdims=True)]
         columns += [to_directions(pose.rotations[:, foot.ankle])]
         soles = [point.positions(pose) for point in foot.points]
         columns += [np.min(soles, axis=0)[:, 1:2]]

@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 
 _FIRM = 0.5  # of the limits of height and speed: that much below them a point stands firmly
 _FULLY = 0.1  # firmness from which on a point is kept in its place
+_ALIKE = 0.004  # m, standard deviation of the ankles: examples that differ less are about alike
 _SLOW = 0.02  # m/s: points of a sole slower than this stand alike
 _AROUND = 0.1  # s before and after a cycle that are looked at for speeds at its ends
 
@@ -77,7 +78,8 @@ class BlendedFoot:
         lowest: (T,) m, height of the lowest point of the sole.
         points: of its sole.
         travel: (3,) m, from the first frame to the one after the last; None if there is none.
-        own: how much of the way that examples slide while they stand is kept.
+        own: how much is kept of the way that examples slide while they stand: all of it for one
+            alone, less the more examples differ.
     """
 
     foot: Foot
@@ -131,30 +133,28 @@ class BlendedFoot:
 
 
 def read_foot(
-    foot: Foot,
-    offsets: Sequence[Array],
-    columns: Array,
-    gone: Array,
-    travel: Array | None,
-    own: float,
+    foot: Foot, offsets: Sequence[Array], columns: Array, gone: Array, travel: Array | None
 ) -> BlendedFoot:
-    """A foot from the blended columns (T, 10 + 3 a point) of ``signals``.
+    """A foot from blended columns (T, 11 + 3 a point), in the order of ``Example.rows``.
 
     Args:
         foot: its joints.
-        offsets: (3,) of each point of the sole.
-        columns: see ``Example``.
+        offsets: (3,) of each point of the sole, m.
+        columns: weighted sums of the examples'.
         gone: (T, 3) m, the travel until then.
         travel: see ``BlendedFoot``.
-        own: see there.
     """
+    steps = len(columns) if travel is not None else len(columns) - 1
     points = tuple(
-        SolePoint(point.joint, offset, columns[:, at], columns[:, at + 1 : at + 3] / len(columns))
-        for point, offset, at in zip(foot.points, offsets, (10, 13), strict=False)
+        SolePoint(point.joint, offset, columns[:, at], columns[:, at + 1 : at + 3] / steps)
+        for point, offset, at in zip(foot.points, offsets, (11, 14), strict=False)
     )
-    turn = from_directions(columns[:, 3:9])
-    ankle = columns[:, :3] + gone
-    return BlendedFoot(foot, ankle, turn, columns[:, 9], points, travel, own)
+    ankle, turn = columns[:, :3], from_directions(columns[:, 4:10])
+    # The variance of the examples' ankles: none between a clip and itself, wherever it walks.
+    about = ankle - ankle.mean(axis=0)
+    apart = max(float((columns[:, 3] - np.sum(about**2, axis=1)).mean()), 0.0)
+    own = 1.0 / (1.0 + apart / _ALIKE**2)
+    return BlendedFoot(foot, ankle + gone, turn, columns[:, 10], points, travel, own)
 
 
 def _held(firm: Array) -> Array:
