@@ -11,7 +11,7 @@ from datetime import datetime
 from hashlib import sha256
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, JsonValue, model_validator
 
 from app.schemas.study import Interface, Words
 from app.schemas.study.words import ContentHash, Name, Part, Title
@@ -23,6 +23,35 @@ START = 0.5  # where a slider stands at first
 Unit = Annotated[float, Field(ge=0, le=1)]
 Seconds = Annotated[float, Field(ge=0, le=1e6)]
 Keytimes = Annotated[dict[Name, Seconds], Field(max_length=16)]
+
+_CLIP = "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11"
+_OTHER = "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"
+_EVENTS: dict[str, JsonValue] = {
+    "left_strike": 0.0,
+    "left_off": 0.68,
+    "right_strike": 0.54,
+    "right_off": 0.14,
+}
+_WEIGHED: dict[str, JsonValue] = {"weights": [0.64, 0.36], "outside": 0.0, "notes": []}
+_BLEND: list[JsonValue] = [
+    {
+        "operation": "blend@1",
+        "parameters": {
+            "examples": [
+                {"clip": _CLIP, "weight": 0.64, "keytimes": _EVENTS},
+                {"clip": _OTHER, "weight": 0.36, "keytimes": _EVENTS},
+            ]
+        },
+    }
+]
+
+
+def _asked(**members: JsonValue) -> ConfigDict:
+    return ConfigDict(extra="forbid", json_schema_extra={"example": members})
+
+
+def _told(**members: JsonValue) -> ConfigDict:
+    return ConfigDict(json_schema_extra={"example": members})
 
 
 class Example(Part):
@@ -208,7 +237,7 @@ class Point(BaseModel):
             to its weight; those not named weigh nothing.
     """
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = _asked(interface="adjectives", values={"quickness": 0.8, "largeness": 0.6})
 
     interface: Interface
     values: Annotated[dict[str, Unit], Field(min_length=1, max_length=MOST_PARAMETERS)]
@@ -224,6 +253,8 @@ class Weighed(BaseModel):
         notes: what there is to know, in sentences.
     """
 
+    model_config = _told(**_WEIGHED)
+
     weights: list[float]
     outside: float
     notes: list[str]
@@ -232,6 +263,8 @@ class Weighed(BaseModel):
 class SpaceRecipe(Weighed):
     """A point as an ordinary recipe: `source` and `operations` as every edit has them."""
 
+    model_config = _told(**_WEIGHED, source=_CLIP, operations=_BLEND)
+
     source: ContentHash
     operations: list[dict[str, object]]
 
@@ -239,7 +272,7 @@ class SpaceRecipe(Weighed):
 class NewSpace(BaseModel):
     """A space made from clips alone, without a questionnaire: its sliders are motion features."""
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = _asked(name="Two walks", clips=[_CLIP, _OTHER])
 
     name: Title
     clips: Annotated[list[ContentHash], Field(min_length=2, max_length=MOST_EXAMPLES)]
@@ -254,7 +287,7 @@ class NewVersion(BaseModel):
         join: clips that nobody rated; their impressions are predicted from their motion.
     """
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = _asked(keytimes={_CLIP: _EVENTS}, join=[_OTHER])
 
     keytimes: dict[ContentHash, Keytimes] = {}
     join: Annotated[list[ContentHash], Field(max_length=MOST_EXAMPLES)] = []
@@ -294,6 +327,8 @@ class Prediction(BaseModel):
 class KeytimesView(BaseModel):
     """The events found in a clip: name to seconds from its first frame."""
 
+    model_config = _told(keytimes=_EVENTS)
+
     keytimes: Keytimes
 
 
@@ -305,7 +340,7 @@ class TargetRequest(BaseModel):
         seed: the same number, the same targets.
     """
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = _asked(count=5, seed=1)
 
     count: Annotated[int, Field(ge=1, le=50)] = 5
     seed: Annotated[int, Field(ge=0, le=2**32 - 1)] = 1
@@ -313,6 +348,14 @@ class TargetRequest(BaseModel):
 
 class Target(SpaceRecipe):
     """A drawn target, and the point that it was drawn at."""
+
+    model_config = _told(
+        **_WEIGHED,
+        source=_CLIP,
+        operations=_BLEND,
+        name="Target 1",
+        values={"quickness": 0.8, "largeness": 0.6},
+    )
 
     name: str
     values: dict[Name, Unit]

@@ -2971,6 +2971,14 @@ export interface components {
         /**
          * KeytimesView
          * @description The events found in a clip: name to seconds from its first frame.
+         * @example {
+         *       "keytimes": {
+         *         "left_off": 0.68,
+         *         "left_strike": 0,
+         *         "right_off": 0.14,
+         *         "right_strike": 0.54
+         *       }
+         *     }
          */
         KeytimesView: {
             /** Keytimes */
@@ -3345,6 +3353,13 @@ export interface components {
         /**
          * NewSpace
          * @description A space made from clips alone, without a questionnaire: its sliders are motion features.
+         * @example {
+         *       "clips": [
+         *         "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *         "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"
+         *       ],
+         *       "name": "Two walks"
+         *     }
          */
         NewSpace: {
             /** Name */
@@ -3391,6 +3406,19 @@ export interface components {
          *     Attributes:
          *         keytimes: clip id to its events, all of them.
          *         join: clips that nobody rated; their impressions are predicted from their motion.
+         * @example {
+         *       "join": [
+         *         "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"
+         *       ],
+         *       "keytimes": {
+         *         "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11": {
+         *           "left_off": 0.68,
+         *           "left_strike": 0,
+         *           "right_off": 0.14,
+         *           "right_strike": 0.54
+         *         }
+         *       }
+         *     }
          */
         NewVersion: {
             /**
@@ -3785,6 +3813,13 @@ export interface components {
          *         values: slider's or example's id to its value; for adjectives and features, those not named
          *             take no part: only the named sliders span the space. For weights, an example's clip id
          *             to its weight; those not named weigh nothing.
+         * @example {
+         *       "interface": "adjectives",
+         *       "values": {
+         *         "largeness": 0.6,
+         *         "quickness": 0.8
+         *       }
+         *     }
          */
         Point: {
             /**
@@ -4579,6 +4614,44 @@ export interface components {
         /**
          * SpaceRecipe
          * @description A point as an ordinary recipe: `source` and `operations` as every edit has them.
+         * @example {
+         *       "notes": [],
+         *       "operations": [
+         *         {
+         *           "operation": "blend@1",
+         *           "parameters": {
+         *             "examples": [
+         *               {
+         *                 "clip": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *                 "keytimes": {
+         *                   "left_off": 0.68,
+         *                   "left_strike": 0,
+         *                   "right_off": 0.14,
+         *                   "right_strike": 0.54
+         *                 },
+         *                 "weight": 0.64
+         *               },
+         *               {
+         *                 "clip": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+         *                 "keytimes": {
+         *                   "left_off": 0.68,
+         *                   "left_strike": 0,
+         *                   "right_off": 0.14,
+         *                   "right_strike": 0.54
+         *                 },
+         *                 "weight": 0.36
+         *               }
+         *             ]
+         *           }
+         *         }
+         *       ],
+         *       "outside": 0,
+         *       "source": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *       "weights": [
+         *         0.64,
+         *         0.36
+         *       ]
+         *     }
          */
         SpaceRecipe: {
             /** Weights */
@@ -4899,6 +4972,49 @@ export interface components {
         /**
          * Target
          * @description A drawn target, and the point that it was drawn at.
+         * @example {
+         *       "name": "Target 1",
+         *       "notes": [],
+         *       "operations": [
+         *         {
+         *           "operation": "blend@1",
+         *           "parameters": {
+         *             "examples": [
+         *               {
+         *                 "clip": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *                 "keytimes": {
+         *                   "left_off": 0.68,
+         *                   "left_strike": 0,
+         *                   "right_off": 0.14,
+         *                   "right_strike": 0.54
+         *                 },
+         *                 "weight": 0.64
+         *               },
+         *               {
+         *                 "clip": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+         *                 "keytimes": {
+         *                   "left_off": 0.68,
+         *                   "left_strike": 0,
+         *                   "right_off": 0.14,
+         *                   "right_strike": 0.54
+         *                 },
+         *                 "weight": 0.36
+         *               }
+         *             ]
+         *           }
+         *         }
+         *       ],
+         *       "outside": 0,
+         *       "source": "0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
+         *       "values": {
+         *         "largeness": 0.6,
+         *         "quickness": 0.8
+         *       },
+         *       "weights": [
+         *         0.64,
+         *         0.36
+         *       ]
+         *     }
          */
         Target: {
             /** Weights */
@@ -4935,6 +5051,10 @@ export interface components {
          *     Attributes:
          *         count: how many; the drawn ones lie far from each other.
          *         seed: the same number, the same targets.
+         * @example {
+         *       "count": 5,
+         *       "seed": 1
+         *     }
          */
         TargetRequest: {
             /**
@@ -5141,6 +5261,14 @@ export interface components {
          *         outside: how far the point lies outside of what the examples span, in slider lengths; 0
          *             within.
          *         notes: what there is to know, in sentences.
+         * @example {
+         *       "notes": [],
+         *       "outside": 0,
+         *       "weights": [
+         *         0.64,
+         *         0.36
+         *       ]
+         *     }
          */
         Weighed: {
             /** Weights */
