@@ -84,14 +84,22 @@ def contact_times(clip: Clip, pose: WorldPose, foot: Foot) -> list[tuple[float, 
         early = np.minimum(level, _end_level(heel, clip.frame_time, _STRUCK, low))
         late = np.minimum(level, _end_level(tip, clip.frame_time, _ROLLING, low))
     stands = np.asarray(binary_propagation(level < STRICT, mask=level < 1.0))
-    plants = [
+    edges = [
         (_edge(early, plant.start, -1), _edge(late, plant.stop - 1, 1)) for plant in runs(stands)
     ]
-    return [
-        (a * clip.frame_time, b * clip.frame_time)
-        for a, b in plants
-        if a > 0.0 and b < clip.frames - 1.0
-    ]
+    whole = ((a, b) for a, b in _joined(edges) if a > 0.0 and b < clip.frames - 1.0)
+    return [(a * clip.frame_time, b * clip.frame_time) for a, b in whole]
+
+
+def _joined(stretches: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Stretches in order, those that overlap as one."""
+    found: list[tuple[float, float]] = []
+    for start, stop in stretches:
+        if found and start <= found[-1][1]:
+            found[-1] = (found[-1][0], max(stop, found[-1][1]))
+        else:
+            found.append((start, stop))
+    return found
 
 
 def _end_level(places: Array, frame_time: float, share: float, low: float) -> Array:

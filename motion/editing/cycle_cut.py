@@ -71,7 +71,9 @@ def _closed(clip: Clip, first: int, last: int) -> Clip:
     left, right = (
         replace(foot, planted=foot.planted[:, first : last + 1]) for foot in find_feet(clip)
     )
-    return repair_feet(cycle, cycle, feet=(left, right), as_straight=True)
+    standing = repair_feet(cycle, cycle, feet=(left, right), as_straight=True)
+    # Again for a foot that now seems to stand a little earlier or longer than it did.
+    return repair_feet(standing, standing, as_straight=True)
 
 
 def roll_cycle(clip: Clip, frame: int) -> Clip:
