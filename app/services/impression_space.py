@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -159,7 +160,8 @@ def _ids(titles: Iterable[Called], taken: Iterable[str]) -> list[str]:
     used = set(taken)
     found = []
     for number, called in enumerate(titles, 1):
-        letters = re.sub(r"[^a-z0-9]+", "_", str(called.title).lower()).strip("_")[:40]
+        plain = unicodedata.normalize("NFKD", str(called.title)).encode("ascii", "ignore").decode()
+        letters = re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:40]
         wanted = letters if re.match(r"[a-z]", letters) else f"cluster_{number}"
         while wanted in used:
             wanted = f"{wanted}_{number}"

@@ -33,11 +33,16 @@ def scales(pairs: int) -> list[dict[str, Any]]:
 
 
 def definition(
-    clips: int, pairs: int, slug: str = "adjectives", steps: int = 5, **task: Any
+    clips: int | list[dict[str, Any]],
+    pairs: int,
+    slug: str = "adjectives",
+    steps: int = 5,
+    **task: Any,
 ) -> StudyDefinition:
-    """A study whose one part asks for so many pairs."""
+    """A study whose one part asks for so many pairs of so many clips, or of these stimuli."""
     asked = {"scales": scales(pairs), "steps": [f"step {n}" for n in range(steps)], **task}
-    part = study_files.trials(PART, clips, task=asked)
+    shown = study_files.stimuli(clips) if isinstance(clips, int) else clips
+    part = study_files.trials(PART, task=asked, stimuli=shown)
     return study_files.study(part, slug=slug, title=slug.title(), languages=["en", "fi"])
 
 
