@@ -11,7 +11,7 @@ import pytest
 from scipy.cluster.hierarchy import fcluster, linkage
 from sqlalchemy import Engine
 
-from app.errors import InvalidError
+from app.errors import InvalidError, NotFoundError
 from app.persistence.engine import Database
 from app.persistence.studies import sample_clips
 from app.schemas.spaces import (
@@ -135,6 +135,14 @@ def test_the_same_clips_give_the_same_space_to_the_last_letter(database: Databas
         db.commit()
     with database.reading() as db:
         assert spaces.definition(db, space.id).content_hash == space.id == one.content_hash
+
+
+def test_a_space_whose_clip_is_gone_meanwhile_is_not_kept(database: Database) -> None:
+    samples.make(database, lambda: [*set_a()][:2])
+    with database.writing() as db, pytest.raises(NotFoundError):
+        spaces.keep(db, define("Walks", sources(3), {}), study_id=None, made_by=None)
+    with database.reading() as db:
+        assert spaces.listed(db).spaces == []
 
 
 def test_weights_come_in_millionths_whose_sum_is_one() -> None:
