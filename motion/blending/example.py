@@ -70,7 +70,7 @@ def _prepared(clip: Clip, keytimes: tuple[tuple[str, float], ...], anchor: str |
     for name, moment in keytimes:
         if not 0.0 <= moment <= clip.duration:
             raise MotionError(
-                f"The keytime {name} at {moment:g} s is not within the clip, "
+                f"The {name.replace('_', ' ')} at {moment:g} s is not within the clip, "
                 f"0 to {clip.duration:.3f} s."
             )
     start = 0

@@ -104,27 +104,30 @@ class BlendedFoot:
         joint = self.foot.ankle
         turn = multiply(self.turn, conjugate(pose.rotations[:, joint]))
         soles = [point.place(self.ankle, turn, pose, joint) for point in self.points]
-        firm = np.stack(
-            [
-                np.maximum(point.firm, firmness(sole, self.travel, clip, self.foot.side))
-                for point, sole in zip(self.points, soles, strict=True)
-            ]
-        )
-        by = _held(firm)
-        swings = np.prod(1.0 - firm * by, axis=0)
-        ways = np.stack([self._way(sole) for sole in soles])
-        too_far = by[..., None] * (
-            firm[..., None] * ways - self.own * np.stack([point.way for point in self.points])
-        )
-        # The slower of its points is the one that a foot stands on.
-        speed = np.linalg.norm(ways, axis=-1) / clip.frame_time
-        share = (firm * by + 1e-9) / (speed**2 + _SLOW**2)
-        slid = _taken_back(np.sum((share / share.sum(axis=0))[..., None] * too_far, axis=0), swings)
+        slid, swings = self._slid(soles, clip)
+        lowest = np.min([sole[:, 1] for sole in soles], axis=0)
         goal = self.ankle.copy()
         goal[:, [0, 2]] -= slid
-        lowest = np.min([sole[:, 1] for sole in soles], axis=0)
         goal[:, 1] += (1.0 - swings) * (self.lowest - lowest)
         return goal
+
+    def _slid(self, soles: Sequence[Array], clip: Clip) -> tuple[Array, Array]:
+        """(T, 2) m, the level way that the standing foot has slid; and (T,) 1 where it swings.
+
+        It stands as long as one of the examples does, or as it would by itself.
+        """
+        alone = np.stack([firmness(sole, self.travel, clip, self.foot.side) for sole in soles])
+        firm = np.maximum(np.stack([point.firm for point in self.points]), alone)
+        by = _held(firm)
+        ways = np.stack([self._way(sole) for sole in soles])
+        allowed = self.own * np.stack([point.way for point in self.points])
+        too_far = by[..., None] * (firm[..., None] * ways - allowed)
+        # It stands on the point that would stand by itself; of two, on the slower one.
+        speed = np.linalg.norm(ways, axis=-1) / clip.frame_time
+        share = (alone + 1e-3 * firm * by + 1e-9) / (speed**2 + _SLOW**2)
+        share = share / share.sum(axis=0)
+        swings = np.prod(1.0 - firm * by, axis=0)
+        return _taken_back(np.sum(share[..., None] * too_far, axis=0), swings), swings
 
     def _way(self, sole: Array) -> Array:
         """(T, 2) level way to the next frame."""
