@@ -306,7 +306,7 @@ export class MotionSpace extends LitElement {
   }
 
   private stage(session: SpaceSession | null): TemplateResult {
-    return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session !== null && !session.isShown}>
+    return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session ? !session.isShown : !this.failure}>
       ${session ? this.figure(session.space) : nothing}
       ${session && session.looking !== null ? this.looked(session, session.looking) : nothing}
       <div class="stage-notes">${this.notes(session)}</div></section>`;

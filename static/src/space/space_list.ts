@@ -71,7 +71,7 @@ export class SpaceList extends LitElement {
   protected override render(): TemplateResult {
     const { spaces, problem } = this;
     return html`<header class="page-header"><h1>Spaces</h1><div class="buttons">
-        <button class="button ${spaces?.length ? "" : "primary"}" type="button" @click=${() => void this.begin()}>${icon("plus")}Make a space from clips</button></div></header>
+        <button class="button ${spaces?.length === 0 ? "primary" : ""}" type="button" @click=${() => void this.begin()}>${icon("plus")}Make a space from clips</button></div></header>
       <p class="lede">In a space you make a motion by saying how it feels: example motions are mixed as the sliders ask.</p>
       ${problem ? problemNote(problem, () => void this.load()) : spaces ? this.list(spaces) : html`<p class="quiet" role="status">The spaces are on their way.</p>`}
       ${this.form()}
