@@ -13,6 +13,7 @@ from rich.table import Table
 from tests.bench import (
     api_rows,
     batch_rows,
+    blending_rows,
     editing_rows,
     live_rows,
     motion_rows,
@@ -25,6 +26,7 @@ from tests.bench.measure import RUNS, Row
 SECTIONS = {
     "motion": motion_rows.rows,
     "editing": editing_rows.rows,
+    "blending": blending_rows.rows,
     "api": api_rows.rows,
     "batch": batch_rows.rows,
     "spaces": space_rows.rows,
