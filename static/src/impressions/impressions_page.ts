@@ -7,7 +7,7 @@ import { icon } from "../icons";
 import { dataOf } from "../results/chart";
 import { debounced, Latest } from "../studio/latest";
 import type { Ask } from "./events";
-import { limitsOf, remembered, sameLimits, type Decided, type Impressions, type Limits } from "./model";
+import { limitsOf, remembered, sameLimits, together, type Decided, type Impressions, type Limits } from "./model";
 import { attempt } from "./problem";
 import "./cluster_list";
 import "./comparison";
@@ -71,7 +71,7 @@ export class ImpressionsPage extends LitElement {
 
   private take(data: Impressions): void {
     this.show(data);
-    this.limits = limitsOf(data.choices as Limits);
+    this.limits = limitsOf(data.choices);
   }
 
   private show(data: Impressions): void {
@@ -149,21 +149,21 @@ export class ImpressionsPage extends LitElement {
 
   private page(data: Impressions, limits: Limits): TemplateResult {
     return html`${this.whose(data)}${this.parts(data)}
-      ${data.problem ? this.empty(data) : html`<p class="sentence first-sentence">${data.sentence}</p>
+      ${data.problem && !hasAnswers(data) ? this.empty(data) : html`<p class="sentence first-sentence">${together(data.sentence)}</p>
         <p class="small quiet standing">${this.standing(data)}</p>
         ${data.notes.length ? html`<div class="note notes">${icon("info")}<div>${data.notes.map((note) => html`<p>${note}</p>`)}</div></div>` : nothing}
         <div @limits=${this.changed} @rename=${this.renamed} @move=${this.moved}>
           <section class="section" aria-labelledby="pairs"><header><h2 class="figure-title" id="pairs">Which pairs say something</h2>
             <p>A pair is left out where no clip stands out in it (μ* too low), or where people see the same clip differently (σ̄, the mean sample standard deviation, too high). Move the thresholds: the rest follows.</p></header>
             <pair-table .data=${data} .limits=${limits}></pair-table></section>
-          ${data.leaves.length ? this.solution(data, limits) : html`<p class="note">${icon("info")}<span>No pair passes both thresholds, so there is nothing to group. Move one of them.</span></p>`}
+          ${data.problem ? html`<p class="note section" role="status">${icon("info")}<span>${data.problem}</span></p>` : this.solution(data, limits)}
         </div>`}`;
   }
 
   private solution(data: Impressions, limits: Limits): TemplateResult {
     return html`<section class="section" aria-labelledby="together"><impression-map .data=${data} .limits=${limits}></impression-map></section>
       <section class="section" aria-labelledby="clusters"><cluster-list .data=${data}></cluster-list></section>
-      <section class="section" aria-labelledby="compared"><solution-comparison .data=${data}></solution-comparison></section>
+      <section class="section" aria-labelledby="compared"><solution-comparison .data=${data} .settle=${this.settle}></solution-comparison></section>
       <section class="section" aria-labelledby="stable"><solution-stability .data=${data}></solution-stability></section>
       <section class="section" aria-labelledby="space"><space-maker .data=${data} .settle=${this.settle}></space-maker></section>`;
   }
@@ -200,3 +200,6 @@ export class ImpressionsPage extends LitElement {
       <div class="buttons"><a class="button" href="/research/studies/${this.study}">Back to the results</a></div></section>`;
   }
 }
+
+/** Whether there is anything that thresholds could choose from. */
+const hasAnswers = ({ participants, pairs }: Impressions): boolean => participants > 1 && pairs.some(({ peak }) => peak !== null);

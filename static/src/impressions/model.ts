@@ -47,6 +47,9 @@ export function reasons({ peak, spread, dropped }: Pair, { least_peak, most_spre
   return found.join(", ") || dropped;
 }
 
+/** Units stay with their numbers: a line never breaks before the sign. */
+export const together = (sentence: string): string => sentence.replaceAll(" %", "\u00a0%");
+
 export interface Span {
   cluster: number;
   from: number;

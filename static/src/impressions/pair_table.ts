@@ -29,7 +29,7 @@ export class PairTable extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const { pairs, kept } = this.data;
+    const { pairs } = this.data;
     const reach = reaches(this.data);
     const { least_peak, most_spread } = this.limits;
     const thresholds: [Threshold, Threshold] = [
@@ -42,7 +42,7 @@ export class PairTable extends LitElement {
       <thead role="rowgroup">
         <tr role="row">${this.head("part", "Pair")}${this.head("peak", html`μ<sup>*</sup> <span class="meaning">strongest mean of any clip</span>`, "μ*")}${this.head("spread", html`σ̄ <span class="meaning">how much people differ</span>`, "σ̄")}
           <th scope="col" role="columnheader" class="outcome">Cluster, or why it is left out</th></tr>
-        <tr class="limits" role="row"><td role="cell"><output class="kept-count" aria-live="polite"><b>${kept.length}</b> of ${pairs.length} kept</output></td>
+        <tr class="limits" role="row"><td role="cell"><output class="kept-count" aria-live="polite"><b>${pairs.filter(({ dropped }) => !dropped).length}</b> of ${pairs.length} kept</output></td>
           ${thresholds.map((threshold) => this.threshold(threshold))}<td class="outcome" role="cell"></td></tr>
       </thead>
       <tbody role="rowgroup">${this.sorted(pairs).map((pair) => this.row(pair, reach))}</tbody>

@@ -6,7 +6,7 @@ import { problemNote } from "../graph/problem";
 import { darkMode, draw } from "../results/chart";
 import { percent } from "../results/words";
 import type { Stability } from "./answers";
-import { groupOf, limitsOf, pairWords, sameLimits, share, type Impressions, type Limits } from "./model";
+import { groupOf, limitsOf, pairWords, sameLimits, share, together, type Impressions, type Limits } from "./model";
 import { paint } from "./paint";
 import { attempt } from "./problem";
 import { curve, paletteOf } from "./stability_chart";
@@ -53,9 +53,9 @@ export class SolutionStability extends LitElement {
     const asking = (this.asking = new AbortController());
     await attempt(async () => {
       this.found = await api.get<Stability>(`/api/v1/studies/${slug}/impressions/${part.id}/stability`, {
-        query: { kind, samples: SAMPLES, seed: 1 }, signal: asking.signal,
+        query: { ...limitsOf(choices), kind, samples: SAMPLES, seed: 1 }, signal: asking.signal,
       });
-      this.about = limitsOf(choices as Limits);
+      this.about = limitsOf(choices);
     }, (problem) => (this.problem = problem));
     if (this.asking === asking) this.asking = null;
   }
@@ -67,7 +67,7 @@ export class SolutionStability extends LitElement {
 
   protected override render(): TemplateResult {
     return html`<header><h2 class="figure-title" id="stable">Would others see the same</h2>
-        <p>Participants are drawn anew, with replacement, and each time the pairs are chosen and grouped again, by the saved thresholds and cut.</p></header>
+        <p>Participants are drawn anew, with replacement, and each time the pairs are chosen and grouped again, by the same thresholds and cut.</p></header>
       ${this.asking
         ? html`<div class="drawing" role="status"><p>Participants are being drawn anew. This takes a few seconds.</p><progress aria-label="Drawing participants anew"></progress>
           <button class="button" type="button" @click=${() => this.cancel()}>Cancel</button></div>`
@@ -77,9 +77,9 @@ export class SolutionStability extends LitElement {
   }
 
   private result(found: Stability): TemplateResult {
-    const older = this.about && !sameLimits(this.about, limitsOf(this.data.choices as Limits));
+    const older = this.about && !sameLimits(this.about, limitsOf(this.data.choices));
     return html`${older ? html`<p class="note">These numbers are about the thresholds and the cut of before. Draw anew to renew them.</p>` : nothing}
-      <p class="sentence" role="status">${found.sentence}</p>
+      <p class="sentence" role="status">${together(found.sentence)}</p>
       <div class="stable-columns">
         <figure><figcaption><h3 class="figure-title">How many participants would do</h3>
           <p class="small quiet">Likeness to the whole solution (adjusted Rand index) from so many participants: mean, and where 95 % of the draws lie.</p></figcaption>
