@@ -25,7 +25,18 @@ class Choices(BaseModel):
         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
     """
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = ConfigDict(
+        extra="forbid",
+        json_schema_extra={
+            "example": {
+                "least_peak": 1.0,
+                "most_spread": 0.85,
+                "clusters": 4,
+                "names": {"small_large": "size"},
+                "moved": {"tight_free": "calm_excited"},
+            }
+        },
+    )
 
     least_peak: Annotated[float, Field(ge=0, le=10)] = LEAST_PEAK
     most_spread: Annotated[float, Field(ge=0, le=10)] = MOST_SPREAD
@@ -210,6 +221,8 @@ class Comparison(BaseModel):
 class Freeze(BaseModel):
     """Make an authoring space of the analysis as it is saved."""
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = ConfigDict(
+        extra="forbid", json_schema_extra={"example": {"name": "Walks of set A"}}
+    )
 
     name: Title

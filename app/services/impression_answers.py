@@ -36,7 +36,6 @@ class Answers:
         pairs: the scales of all versions that asked alike, the newest version's first.
         clips: likewise.
         reach: of the outermost step.
-        languages: those of the newest version.
         versions: hashes of the versions that the answers belong to; numbers: as people count them.
         ratings: (participants, clips, pairs); NaN where not rated.
     """
@@ -79,7 +78,8 @@ def answers(db: Session, slug: str, part: str | None, kind: SessionKind) -> Answ
     known = _read.get(key, state)
     if known is None:
         known = _answers(db, study, versions, parts, name, kind)
-        _read.put(key, state, known)
+        if store.counted(db, study.id, kind) == asked:  # or somebody came or left while we read
+            _read.put(key, state, known)
     return known
 
 

@@ -70,7 +70,7 @@ def _rows(found: Analysed, solution: Solution) -> list[figures.Row]:
         cluster = solution.cluster_of(pair) or 0
         words = pair_words(pairs[pair])
         label = f"{words}, moved" if pair in solution.moved else words
-        rows.append(figures.Row(label, cluster, str(found.titles[cluster].title)))
+        rows.append(figures.Row(label, cluster, found.titles[cluster].text))
     return rows
 
 

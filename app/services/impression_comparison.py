@@ -53,7 +53,7 @@ def comparison(
     ]
     both, one, another = shared_labels(ours, theirs)
     matched = matching(one, another)
-    titles = [[str(called.title) for called in found.titles] for found in (here, there)]
+    titles = [[each.text for each in found.titles] for found in (here, there)]
     overlap = contingency(one, another)
     rand = adjusted_rand(one, another) if len(both) > 1 else None
     gone = {pair for pair, moved in zip(both, matched.moved, strict=True) if moved}

@@ -22,6 +22,7 @@ TITLES = {
     "activeness": Words({"en": "activeness", "fi": "aktiivisuus", "ja": "積極性"}),
     "largeness": Words({"en": "largeness", "fi": "suuruus", "ja": "大きさ"}),
 }
+LONGEST = 200
 Clusters = Sequence[Sequence[str]]
 
 
@@ -30,6 +31,11 @@ class Called(NamedTuple):
 
     title: Words
     named: bool
+
+    @property
+    def text(self) -> str:
+        """The title in one language, as long as a title may be."""
+        return str(self.title)[:LONGEST]
 
 
 def titles(
@@ -78,12 +84,6 @@ def carried(before: Solution, names: Mapping[str, str], after: Solution) -> dict
     together = contingency(one, other)
     pairs = [(row, column) for row, column in matching(one, other).pairs if together[row, column]]
     return {new[column][0]: known[old[row][0]] for row, column in pairs if old[row][0] in known}
-
-
-def unused(clusters: Clusters, names: Mapping[str, str]) -> list[str]:
-    """The names that no cluster bears, because their pair is dropped or another comes first."""
-    borne = list(in_force(clusters, names).values())
-    return [name for name in names.values() if name not in borne]
 
 
 def between(pair: Scale) -> Words:

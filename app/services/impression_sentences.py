@@ -41,7 +41,7 @@ def outcome(asked: Answers, solution: Solution | None, titles: Sequence[Called])
     if solution is None:
         return f"{begun}."
     parts = [
-        f"{called.title} ({_count(len(members), 'pair')})"
+        f"{called.text} ({_count(len(members), 'pair')})"
         for called, members in zip(titles, solution.members, strict=True)
     ]
     gone = len(asked.pairs) - len(solution.kept)

@@ -20,15 +20,15 @@ from app.schemas.results import SessionKind
 from app.services import impression_sentences as sentences
 from app.services import impressions
 from app.services.impression_bootstrap import Combined, Order, combined, piece, whole
-from app.services.impression_names import between
+from app.services.impression_names import Called, between
 from app.services.impression_solution import Solution
 from app.services.impressions import Analysed, Live
 from app.services.sentences import number
 from app.statistics.intervals import present
 from app.workers import Workers
 
-# Samples × clips × pairs: 10 000 for 27 clips and 41 pairs take a process about 4 s.
-AT_ONCE = 12_000_000
+# Samples × clips × pairs: 7000 samples for 27 clips and 41 pairs take a process about 5 s.
+AT_ONCE = 8_000_000
 GOOD = 0.9  # the adjusted Rand index from which on a number of participants is said to do
 SURE = 0.9  # the share of samples from which on a pair is said to stay
 
@@ -131,8 +131,8 @@ def _clusters(found: Analysed, solution: Solution, result: Combined) -> list[Clu
         first = solution.of_tree(cluster)[0]
         now = solution.cluster_of(first)
         left = first in solution.moved or now is None
-        title = between(pairs[first]) if left else titles[now or 0].title
-        told.append(ClusterStability(key=first, title=str(title)[:200], overlap=overlap))
+        called = Called(between(pairs[first]), named=False) if left else titles[now or 0]
+        told.append(ClusterStability(key=first, title=called.text, overlap=overlap))
     return told
 
 

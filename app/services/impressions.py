@@ -145,7 +145,7 @@ def clusters(found: Analysed) -> list[Cluster]:
     return [
         Cluster(
             key=members[0],
-            title=str(called.title)[:200],
+            title=called.text,
             named=called.named,
             members=list(members),
             values=of_clips,

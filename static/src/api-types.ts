@@ -1748,6 +1748,17 @@ export interface components {
          *         clusters: into how many Ward's tree is cut.
          *         names: of the clusters, by the id of the pair that stands first in each.
          *         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
+         * @example {
+         *       "clusters": 4,
+         *       "least_peak": 1,
+         *       "most_spread": 0.85,
+         *       "moved": {
+         *         "tight_free": "calm_excited"
+         *       },
+         *       "names": {
+         *         "small_large": "size"
+         *       }
+         *     }
          */
         "Choices-Input": {
             /**
@@ -2422,6 +2433,9 @@ export interface components {
         /**
          * Freeze
          * @description Make an authoring space of the analysis as it is saved.
+         * @example {
+         *       "name": "Walks of set A"
+         *     }
          */
         Freeze: {
             /** Name */
@@ -5295,6 +5309,17 @@ export interface components {
          *         clusters: into how many Ward's tree is cut.
          *         names: of the clusters, by the id of the pair that stands first in each.
          *         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
+         * @example {
+         *       "clusters": 4,
+         *       "least_peak": 1,
+         *       "most_spread": 0.85,
+         *       "moved": {
+         *         "tight_free": "calm_excited"
+         *       },
+         *       "names": {
+         *         "small_large": "size"
+         *       }
+         *     }
          */
         app__schemas__impressions__Choices: {
             /**

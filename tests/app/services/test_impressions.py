@@ -266,3 +266,12 @@ def test_the_papers_clusters_have_the_papers_titles(db, motion_set):
         title: set(pairs) for title, pairs in table.items()
     }
     assert not any(one.named for one in found.clusters)
+
+
+def test_words_of_any_length_make_titles_of_a_title_s_length(db, ratings):
+    long = [
+        {"id": scale["id"], "left": "l" * 300, "right": f"r{n}"}
+        for n, scale in enumerate(rated_pairs.scales(sum(GROUPS)))
+    ]
+    rated_pairs.rated(db, rated_pairs.definition(10, sum(GROUPS), scales=long), ratings)
+    assert {len(one.title) for one in looked_at(db).clusters} == {200}
