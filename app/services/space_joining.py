@@ -22,7 +22,7 @@ from app.schemas.spaces import (
 from app.services.space_making import Moments, Source, as_values, define, read, told
 from app.statistics.prediction import Prediction as Learnt
 from app.statistics.prediction import fit
-from motion.features import features
+from motion.features import FEATURES, features
 from motion.storage import clip_from_bytes
 
 Array = NDArray[np.float64]
@@ -140,7 +140,8 @@ def _learnt(space: SpaceDefinition, adjectives: Sliders) -> Learnt | None:
     rated = [not example.predicted for example in space.examples]
     if sum(rated) < FEWEST:
         return None
-    return fit(_measured(space.features)[rated], _columns(adjectives.parameters)[rated])
+    seen, said = _measured(space.features), _columns(adjectives.parameters)
+    return fit(seen[rated], said[rated], least=np.array([one.least for one in FEATURES]))
 
 
 def _measured(sliders: Sliders) -> Array:

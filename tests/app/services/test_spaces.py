@@ -166,23 +166,23 @@ def test_only_the_named_sliders_span_the_space() -> None:
 
 
 def test_a_newcomer_joins_by_the_pairs_that_its_motion_tells() -> None:
-    of = sources()
-    before = judged(of[:9])
+    of = sources(21)
+    before = judged(of[:20])
     version = space_joining.renew(before, of, {})
-    assert [one.predicted for one in version.examples] == [False] * 9 + [True]
+    assert [one.predicted for one in version.examples] == [False] * 20 + [True]
     assert version.origin.before == before.content_hash
     left = [one.id for one in version.adjectives.parameters]
     assert left == ["quick", "wide"], version.origin.note
     assert "less drawn–drawn, less lots–lots" in version.origin.note
-    assert of[9].name in version.origin.note
+    assert of[20].name in version.origin.note
     for one in version.adjectives.parameters:
         old = next(o for o in before.adjectives.parameters if o.id == one.id)
-        assert one.values[:9] == old.values
+        assert one.values[:20] == old.values
     for one, (name,) in zip(version.adjectives.primary, [("quick",), ("wide",)], strict=True):
         assert one.members == (name,)
         assert one.values == version.adjectives.parameters[left.index(name)].values
     ready = Prepared.of(version, contents(of))
-    assert ready.weights(Point(interface="weights", values={of[9].id: 1.0})).weights[9] == 1.0
+    assert ready.weights(Point(interface="weights", values={of[20].id: 1.0})).weights[20] == 1.0
 
 
 def test_the_next_version_learns_from_what_people_said_only() -> None:
@@ -197,9 +197,9 @@ def test_the_next_version_learns_from_what_people_said_only() -> None:
 
 
 def test_a_prediction_says_which_pairs_and_how_well() -> None:
-    of = sources()
-    space = judged(of[:9])
-    told = space_joining.predict(space, of[0], of[9])
+    of = sources(21)
+    space = judged(of[:20])
+    told = space_joining.predict(space, of[0], of[20])
     assert told.can_join
     assert {row.id: row.refused for row in told.parameters} == {
         "quick": False, "drawn": True, "wide": False, "lots": True,
