@@ -5,8 +5,7 @@ import { api, type ApiError } from "../api";
 import type { components } from "../api-types";
 import { problemNote } from "../graph/problem";
 import { number } from "../results/words";
-import type { Comparison } from "./answers";
-import { groupOf, pairWords, together, type Cluster, type Impressions } from "./model";
+import { groupOf, pairWords, together, type Cluster, type Comparison, type Impressions } from "./model";
 import { attempt } from "./problem";
 
 type StudyLine = components["schemas"]["StudyLine"];

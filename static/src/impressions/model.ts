@@ -7,6 +7,8 @@ export type Choices = Impressions["choices"];
 export type Pair = Schemas["Pair"];
 export type Cluster = Schemas["Cluster"];
 export type Merge = Schemas["Merge"];
+export type Stability = Schemas["Stability"];
+export type Comparison = Schemas["Comparison"];
 export type SpaceLine = Schemas["SpaceLine"];
 type Words = Pair["left"];
 

@@ -1,6 +1,6 @@
 // The curve over the number of participants, in the words of Vega-Lite.
 import type { Spec } from "../results/chart";
-import type { Stability } from "./answers";
+import type { Stability } from "./model";
 
 export interface Palette {
   ink: string;
