@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -188,9 +188,14 @@ def _slider(sliders: Sliders, one: Primary, language: Language) -> dict[str, str
     return {
         "id": one.id,
         "title": str(one.title.into(language)),
-        "left": ", ".join(str(p.left.into(language)) for p in members),
-        "right": ", ".join(str(p.right.into(language)) for p in members),
+        "left": _listed(p.left.into(language) for p in members),
+        "right": _listed(p.right.into(language) for p in members),
     }
+
+
+def _listed(words: Iterable[object]) -> str:
+    """Each once: the ends of all features are “less” and “more”."""
+    return ", ".join(dict.fromkeys(map(str, words)))
 
 
 def _space(db: Session, task: Match) -> Prepared:

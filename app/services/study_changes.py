@@ -33,6 +33,7 @@ _KINDS = {
     "parallel": "several figures with a slider each",
     "ranking": "putting figures into order",
     "free_text": "own words",
+    "match": "matching a motion with sliders",
 }
 
 

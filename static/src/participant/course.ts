@@ -119,7 +119,8 @@ export class Course {
     const before = this.#known.get(this.#index);
     if (!before || !same(form, this.#given())) {
       const revision = (before?.revision ?? 0) + 1;
-      const given = { trial_index: this.#index, revision, ...form, comment: form.comment.trim(), ...measures };
+      const { answers, touched, comment } = form;
+      const given = { trial_index: this.#index, revision, answers, touched, comment: comment.trim(), ...measures };
       this.outbox.put(given);
       this.#learn(this.#index, given);
     }

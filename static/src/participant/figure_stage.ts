@@ -6,7 +6,12 @@ import { viewer, type Shown } from "./figures";
 import { Glances } from "./glances";
 import type { Viewer } from "./measures";
 
-type Drawing = HTMLElement & Viewer & { cells: readonly Rectangle[] };
+interface Drawing extends HTMLElement, Viewer {
+  cells: readonly Rectangle[];
+  arrange: "ghost" | "beside" | "cells";
+  setMotion(index: number, glb: ArrayBuffer): void;
+  setShown(index: number, shown: boolean): void;
+}
 
 type OnView = { cells: boolean; figures: readonly Shown[] } | null;
 
@@ -58,11 +63,35 @@ export class FigureStage {
     if (!this.#shown) this.audience.begin();
   }
 
+  /** Gives the blue figure a motion, and brings it on with its first; resolves with the picture of it. */
+  create(glb: ArrayBuffer): Promise<void> {
+    const { viewer, creation } = this;
+    if (!viewer) return Promise.resolve();
+    viewer.setMotion(creation, glb);
+    viewer.setShown(creation, true);
+    return new Promise((resolve) => viewer.addEventListener("motion", () => resolve(), { once: true }));
+  }
+
+  arrange(way: "ghost" | "beside"): void {
+    if (this.viewer) this.viewer.arrange = way;
+  }
+
   /** The viewer, where what it shows belongs to such a layout. */
   draw(cells: boolean, hidden: boolean): TemplateResult | typeof nothing {
     if (this.#shown?.cells !== cells) return nothing;
-    const on = { ready: this.audience.begin, unsupported: this.audience.unsupported, frame: () => this.#onFrame() };
+    const on = { ready: () => this.#onReady(), unsupported: this.audience.unsupported, frame: () => this.#onFrame() };
     return html`${viewer(this.#shown.figures, cells, hidden, on)}`;
+  }
+
+  /** The place of the blue figure; −1 where there is none. */
+  private get creation(): number {
+    return this.#shown?.figures.findIndex(({ as }) => as === "creation") ?? -1;
+  }
+
+  /** The blue figure waits in the wings until it has a motion of its own. */
+  #onReady(): void {
+    if (this.creation >= 0) this.viewer?.setShown(this.creation, false);
+    this.audience.begin();
   }
 
   async #put(shown: OnView): Promise<void> {

@@ -8,8 +8,10 @@ import { t } from "../words";
 export interface Shown {
   src: string;
   figure: string | null;
-  as?: "reference" | "judged";
+  as?: "reference" | "judged" | "creation";
   label?: string;
+  /** Pale, in the same place as the one who is solid. */
+  ghost?: boolean;
 }
 
 /** Everyone on the page, the reference first: it stands on the left. */
@@ -28,12 +30,19 @@ export function shownOf(step: Step, kept: readonly string[]): Shown[] {
     src: at.get(glb_url) ?? glb_url,
     figure: figure_url && (at.get(figure_url) ?? figure_url),
   }));
+  if (typeof step.seen === "boolean") return matchOf(shown[0]!, step.seen);
   if (!step.reference) return shown;
   return shown.map((figure, index) =>
     index === 0
       ? { ...figure, as: "reference", label: t("For comparison") }
       : { ...figure, as: "judged", label: t("Judge this one") },
   );
+}
+
+/** The target and, where it is seen, who is to become like it: the same body, whose own motion comes later. */
+function matchOf(target: Shown, seen: boolean): Shown[] {
+  const green: Shown = { ...target, as: "judged", label: t("Target") };
+  return seen ? [{ ...green, ghost: true }, { ...target, as: "creation", label: t("Your motion") }] : [green];
 }
 
 export interface ViewerEvents {
@@ -44,7 +53,7 @@ export interface ViewerEvents {
 
 export function viewer(figures: readonly Shown[], cells: boolean, hidden: boolean, on: ViewerEvents): TemplateResult {
   return html`<motion-viewer theme="light" controls=${cells ? "none" : "simple"} arrange=${cells ? "cells" : "ghost"}
-    autoplay loop="auto" class=${hidden ? "away" : ""} @ready=${on.ready} @unsupported=${on.unsupported} @frame=${on.frame}>
-    ${figures.map(({ src, figure, as, label }) => html`<motion-figure src=${src} figure=${figure ?? nothing}
-      as=${as ?? nothing} label=${label ?? nothing}></motion-figure>`)}</motion-viewer>`;
+    autoplay loop="auto" ?in-step=${figures.some(({ as }) => as === "creation")} class=${hidden ? "away" : ""} @ready=${on.ready} @unsupported=${on.unsupported} @frame=${on.frame}>
+    ${figures.map(({ src, figure, as, label, ghost }) => html`<motion-figure src=${src} figure=${figure ?? nothing}
+      as=${as ?? nothing} label=${label ?? nothing} ?ghost=${ghost}></motion-figure>`)}</motion-viewer>`;
 }

@@ -1,5 +1,6 @@
 // What is measured around an answer. Times in ms.
 
+import type { Move } from "../trials/kind";
 import type { Attention } from "./clock";
 import type { Measures } from "./course";
 import type { Store } from "./store";
@@ -64,9 +65,11 @@ export interface Watched {
   figures: readonly number[];
   /** The positions that sliders showed before they were touched. */
   start: Record<string, number>;
+  /** The way that sliders went, of a kind that keeps it. */
+  path?: readonly Move[];
 }
 
-export function measures({ attention, elapsed, viewer, viewing, figures, start }: Watched): Measures {
+export function measures({ attention, elapsed, viewer, viewing, figures, start, path = [] }: Watched): Measures {
   return {
     rt_ms: tenth(attention.spent_ms),
     time_elapsed_ms: tenth(elapsed),
@@ -77,6 +80,7 @@ export function measures({ attention, elapsed, viewer, viewing, figures, start }
       ...(viewer?.statistics?.camera?.length ? { camera: [...viewer.statistics.camera] } : {}),
       ...(figures.length > 1 ? { figure_ms: figures.map(tenth) } : {}),
       ...(Object.keys(start).length ? { start } : {}),
+      ...(path.length ? { path: path.map(([ms, slider, position]): [number, string, number] => [ms, slider, position]) } : {}),
       hidden_ms: tenth(attention.hidden_ms),
       blur_count: attention.blur_count,
       viewport: { width: innerWidth, height: innerHeight, pixel_ratio: devicePixelRatio },

@@ -6,7 +6,7 @@ import { html, LitElement, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { ApiError } from "../api";
 import type { Outbox } from "../outbox";
-import type { Form } from "../trials/kind";
+import type { Form, Workshop } from "../trials/kind";
 import { focusNextOpen } from "../trials/steps";
 import { language, t } from "../words";
 import { brand } from "./brand";
@@ -50,6 +50,11 @@ export class TrialPage extends LitElement {
   #clock = new TrialClock();
   #draft: Draft = { form: this.form, attention: NOTHING_YET, viewing: UNWATCHED, figures: [], start: {} };
   #lastAnswer = -Infinity;
+  readonly #workshop: Workshop = {
+    make: (step, values) => this.#desk.motion(step, values),
+    show: (glb) => this.#stage.create(glb),
+    arrange: (way) => this.#stage.arrange(way),
+  };
   #stage = new FigureStage(this, { begin: () => this.#begin(), unsupported: () => this.#cannotDraw() });
 
   protected override createRenderRoot(): HTMLElement {
@@ -136,7 +141,7 @@ export class TrialPage extends LitElement {
   #focusFirst(): void {
     this.querySelector(".panel-scroll, .cells-scroll, .page-scroll")?.scrollTo(0, 0);
     if (this.form.touched.length && focusNextOpen(this, null)) return;
-    const first = ".scale [tabindex='0'], .slider input, .pick input, .place-button, .own-words textarea";
+    const first = ".scale [tabindex='0'], .slider input, .match-sliders input, .pick input, .place-button, .own-words textarea";
     const target = this.querySelector<HTMLElement>(first) ?? this.querySelector<HTMLElement>("#content");
     target?.focus({ preventScroll: true });
   }
@@ -165,7 +170,8 @@ export class TrialPage extends LitElement {
     const attention = this.#clock.read();
     const { viewer, watched: figures } = this.#stage;
     const { start } = this.#draft;
-    this.#course.answer(this.form, measures({ attention, elapsed, viewer, viewing: this.#viewing, figures, start }));
+    const path = this.form.trace?.path ?? [];
+    this.#course.answer(this.form, measures({ attention, elapsed, viewer, viewing: this.#viewing, figures, start, path }));
     this.#leave();
   }
 
@@ -253,7 +259,7 @@ export class TrialPage extends LitElement {
     return {
       course, ready, fetched, paused, unseen,
       kind: kindOf(step),
-      view: { ...asked(course.session, step), form, pressed, change: (act) => this.#change(act(this.form)) },
+      view: { ...asked(course.session, step), form, pressed, workshop: ready ? this.#workshop : null, change: (act) => this.#change(act(this.form)) },
       viewer: this.#figuresShown(kindOf(step).layout !== "stage"),
       line: this.#line,
       isSeen: (place) => this.#stage.isSeen(place),

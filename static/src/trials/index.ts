@@ -7,6 +7,7 @@ import { choose } from "./choose";
 import { freeText } from "./free_text";
 import type { Kind } from "./kind";
 import { likert } from "./likert";
+import { match } from "./match";
 import { parallel } from "./parallel";
 import { ranking } from "./ranking";
 import { semanticDifferential } from "./semantic_differential";
@@ -26,6 +27,7 @@ export const trials: Readonly<Record<string, AnyKind>> = {
   parallel,
   ranking,
   free_text: freeText,
+  match,
 };
 
 /** What is stored beside the answers of every step, with its unit. */

@@ -20,9 +20,21 @@ export interface Step {
   instruction?: string | null;
   /** Scale ids in the order in which they are shown. */
   scales?: readonly string[] | null;
+  /** Which sliders make the motion that is to match, and whether it is seen. */
+  interface?: string | null;
+  seen?: boolean | null;
 }
 
 export type Value = number | string | string[];
+
+/** A move of a slider: ms of the trial's own clock, the slider, its position from 0 to 1. */
+export type Move = readonly [ms: number, slider: string, position: number];
+
+/** How an answer comes about, of a kind that keeps that: all moves, and what its clock has counted. */
+export interface Trace {
+  ms: number;
+  path: readonly Move[];
+}
 
 /** What a person has set so far. */
 export interface Form {
@@ -31,6 +43,8 @@ export interface Form {
   /** What was set by hand; the rest was preselected. */
   touched: string[];
   comment: string;
+  /** Only while the step is being answered: an answer that is come back to has none. */
+  trace?: Trace;
 }
 
 /** What a step asks, and where it stands. */
@@ -42,12 +56,32 @@ export interface Asked<P> {
 /** Makes the form another one. It is given the newest form: several changes may come before the page is drawn again. */
 export type Change = (act: (form: Form) => Form) => void;
 
+/** A motion that sliders made, and what the server measured of it. */
+export interface Made {
+  glb: ArrayBuffer;
+  /** Metres from the target, and whether that is near enough. */
+  distance: number;
+  solved: boolean;
+}
+
+/** Where the blue figure's motions come from and go to. */
+export interface Workshop {
+  /** Rejects with an ApiError. */
+  make(step: number, values: Readonly<Record<string, number>>): Promise<Made>;
+  /** Resolves with the first picture of the motion. */
+  show(glb: ArrayBuffer): Promise<void>;
+  /** Green behind blue, or the two side by side. */
+  arrange(way: "ghost" | "beside"): void;
+}
+
 /** What a kind draws from, and whom it tells of a change. */
 export interface View<P> extends Asked<P> {
   form: Form;
   change: Change;
   /** The person wanted to go on although something is missing. */
   pressed: boolean;
+  /** Once the figures are there and answers are taken. */
+  workshop?: Workshop | null;
 }
 
 /** What a kind of several figures puts around each of them. */

@@ -10,7 +10,7 @@ const items = [{ id: "warm", label: "warm" }, { id: "kind", label: "kind" }];
 const whole = (low: number, high: number) => (value: Value) => Number.isInteger(value) && low <= Number(value) && Number(value) <= high;
 
 /** What each kind asks, how many figures it shows, and which values an answer may have. */
-const CASES: Record<string, { task: object; figures: number; ids: string[]; fits: (value: Value) => boolean }> = {
+const CASES: Record<string, { task: object; figures: number; step?: Partial<Step>; ids: string[]; fits: (value: Value) => boolean }> = {
   semantic_differential: { task: { scales, steps: ["x", "y", "z"], preselected: false }, figures: 1, ids: ["a_b", "c_d"], fits: whole(-1, 1) },
   unipolar: { task: { items, steps: ["no", "some", "very"] }, figures: 1, ids: ["warm", "kind"], fits: whole(0, 2) },
   likert: { task: { items, steps: ["no", "so", "yes", "sure"] }, figures: 1, ids: ["warm", "kind"], fits: whole(1, 4) },
@@ -21,12 +21,16 @@ const CASES: Record<string, { task: object; figures: number; ids: string[]; fits
   parallel: { task: { low: "bad", high: "good" }, figures: 4, ids: ["0", "1", "2", "3"], fits: whole(0, 100) },
   ranking: { task: { first: "best", last: "worst" }, figures: 4, ids: ["0", "1", "2", "3"], fits: whole(1, 4) },
   free_text: { task: { required: true }, figures: 1, ids: ["text"], fits: (value) => typeof value === "string" && value !== "" },
+  match: {
+    task: { seconds: 300, threshold: 0.06, start: 0.5, sliders: { weights: [{ id: "e0", title: "1" }, { id: "e1", title: "2" }] }, example_figures: [] },
+    figures: 1, step: { interface: "weights", seen: true }, ids: ["e0", "e1", "seconds"], fits: (value) => Number(value) >= 0 && Number(value) <= 300,
+  },
 };
 
 const figure = { glb_url: "/c", figure_url: null, cyclic: true };
 const askedOf = (name: string) => {
-  const { task, figures } = CASES[name]!;
-  const step: Step = { index: 0, part: "p", kind: name, figures: Array.from({ length: figures }, () => figure) };
+  const { task, figures, step: more } = CASES[name]!;
+  const step: Step = { index: 0, part: "p", kind: name, figures: Array.from({ length: figures }, () => figure), ...more };
   return { task, step };
 };
 

@@ -3,8 +3,9 @@
  *
  * Attributes: `src`, `figure`, or one `<motion-figure src figure as label ghost>` for each figure;
  * `controls` ("none", "views": only the named views, "simple", "full"), `arrange`, `theme`, `tier`,
- * `loop`, `autoplay`, `static`, `azimuth`, `poster-time`, `label`. Another source, role or label
- * loads anew; nothing below does.
+ * `loop`, `autoplay`, `static`, `azimuth`, `poster-time`, `label`, `in-step` (the first figure keeps
+ * its time, the others are as far through their clips as it is through its own). Another source,
+ * role or label loads anew; nothing below does.
  *
  * `setMotion(index, glb)` gives a figure another motion of the same skeleton; moment, play state and
  * view stay. `setPose(index, root, rotations)` poses it from outside, with `live` set.
@@ -189,7 +190,7 @@ export class MotionViewer extends PlaybackElement implements Playable {
   setMotion(index: number, glb: ArrayBuffer): void {
     const stage = this.begunStage();
     stage.setMotion(index, readClip(parseGlb(glb)), wantsStillness());
-    this.player.swap(stage.clips);
+    this.player.swap(stage.timed);
     this.shortestFrame = stage.frameTime;
     this.unseen.push(index);
     this.request();
@@ -358,8 +359,9 @@ export class MotionViewer extends PlaybackElement implements Playable {
     if (!stage) return;
     this.overlay.replaceChildren();
     stage.setAzimuth(numberOf(this, "azimuth"));
+    stage.inStep = this.hasAttribute("in-step");
     stage.cast(performers);
-    player.load(stage.clips);
+    player.load(stage.timed);
     this.shortestFrame = stage.frameTime;
     this.applyLoop();
     this.counts.reset();

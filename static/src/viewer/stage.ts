@@ -30,6 +30,8 @@ const STANDARD_STATURE = 1.58;
 export class Stage {
   readonly orbit = new OrbitCamera();
   figures: Figure[] = [];
+  /** The others are as far through their clips as the first figure is through its own. */
+  inStep = false;
   private readonly scene = new Scene();
   private readonly lights = new Lights();
   private readonly floor = new Floor();
@@ -163,7 +165,7 @@ export class Stage {
   /** Poses every figure for a moment. */
   setTime(seconds: number): void {
     for (let index = 0; index < this.figures.length; index += 1) {
-      this.figures[index]!.setTime(seconds);
+      this.figures[index]!.setTime(seconds * this.paceOf(index));
     }
     this.travel();
   }
@@ -209,9 +211,20 @@ export class Stage {
     return this.performers.map(({ clip }) => clip);
   }
 
+  /** The clips whose length the clock goes by. */
+  get timed(): MotionClip[] {
+    return this.inStep ? this.clips.slice(0, 1) : this.clips;
+  }
+
   /** Seconds of the shortest frame of the clips. */
   get frameTime(): number {
     return Math.min(...this.clips.map(({ frameTime }) => frameTime));
+  }
+
+  private paceOf(index: number): number {
+    const [first] = this.performers;
+    const own = this.performers[index];
+    return this.inStep && first && own && first.clip.duration > 0 ? own.clip.duration / first.clip.duration : 1;
   }
 
   private get solid(): number {
