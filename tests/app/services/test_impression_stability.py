@@ -8,7 +8,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 
-from app.errors import InvalidError
+from app.errors import BusyError, InvalidError
 from app.persistence.engine import Database
 from app.services import impression_stability
 from app.services.impression_bootstrap import Order, combined, piece, whole
@@ -104,3 +104,10 @@ def test_a_large_bootstrap_goes_through_the_engine(database, study, monkeypatch)
 def test_without_clusters_there_is_nothing_to_be_stable(database, study):
     with pytest.raises(InvalidError, match="no pair is kept"):
         computed(database, live=Live(most_spread=0.0))
+
+
+def test_a_second_large_bootstrap_is_asked_to_wait(database, study, monkeypatch):
+    monkeypatch.setattr(impression_stability, "AT_ONCE", 1)
+    with impression_stability._engine, pytest.raises(BusyError, match="Another large bootstrap"):
+        computed(database)
+    assert not impression_stability._engine.locked()
