@@ -108,12 +108,13 @@ class Blender:
         gone = when.T @ (shares[:, None] * self._travel[chosen])
         joints = len(self.skeleton)
         directions = np.ascontiguousarray(mixed[:, : 6 * joints]).reshape(-1, joints, 6)
-        rotations = make_continuous(from_directions(directions))
+        rotations = from_directions(directions)
         root = mixed[:, 6 * joints : 6 * joints + 3] + gone
         feet = self._feet(chosen, shares, mixed[:, 6 * joints + 3 :], gone)
         step = float(self._steps[chosen].min())
         if feet:
             rotations = onto_feet(Clip(self.skeleton, root, rotations, step), feet)
+        rotations = make_continuous(rotations)
         if self.cyclic:
             travel = shares @ self._travel[chosen]
             root = np.concatenate([root, root[:1] + travel])

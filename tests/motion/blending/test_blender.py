@@ -9,7 +9,7 @@ import pytest
 
 from motion import Clip, MotionError
 from motion.blending import Blender
-from motion.editing.cycle_cut import roll_cycle
+from motion.editing.cycle_cut import cut_cycle, roll_cycle
 from motion.editing.cycles import three_cycles
 from motion.graph_window import frames_of
 from motion.keytimes import find_keytimes
@@ -17,6 +17,7 @@ from motion.kinematics import forward_kinematics
 from motion.procedural.library import sample_clips
 from motion.rotations import angle_between, from_axis_angle, multiply, rotate
 from tests.motion.blending.conftest import blender_of, mixtures, only
+from tests.motion.editing.conftest import read
 from tests.motion.editing.measures import bone_lengths
 
 UP = np.array([0.0, 1.0, 0.0])
@@ -187,6 +188,43 @@ def test_examples_without_weight_may_be_left_out(walks_b, blender_b):
 def test_only_ratios_of_weights_count(blender_a):
     weights = mixtures(2, 10)[1]
     assert_same(blender_a.blend(weights), blender_a.blend(7.5 * weights), within=1e-9)
+
+
+@pytest.mark.parametrize("frames", [2, 3, 4])
+@pytest.mark.parametrize("cyclic", [True, False])
+def test_the_shortest_clips_are_blended(walks_a, frames, cyclic):
+    clips = [
+        replace(w, root_positions=w.root_positions[:frames], rotations=w.rotations[:frames])
+        for w in walks_a[:2]
+    ]
+    found = Blender([replace(clip, cyclic=cyclic) for clip in clips]).blend([0.5, 0.5])
+    assert found.frames == frames
+    assert np.isfinite(found.rotations).all()
+    with pytest.raises(MotionError, match="single frame"):
+        Blender(
+            [
+                replace(
+                    walks_a[0], root_positions=np.zeros((1, 3)), rotations=walks_a[0].rotations[:1]
+                )
+            ]
+        )
+
+
+def test_no_joint_turns_over_between_frames(blender, walks):
+    """A quaternion and its negative are one rotation; a player that mixes two would spin."""
+    for weights in mixtures(6, len(walks), seed=9):
+        rotations = blender.blend(weights).rotations[:-1]
+        assert np.sum(rotations[1:] * rotations[:-1], axis=-1).min() > 0.0
+
+
+def test_a_walk_and_a_run_are_blended_by_what_they_share(walks_real, motions_dir):
+    run = cut_cycle(read(motions_dir / "bandai-namco/run_happy_001.bvh"))
+    blender = blender_of((walks_real[0], run))
+    clip = blender.blend([0.5, 0.5])
+    assert set(blender.keytimes([0.5, 0.5])) == {"left_strike", "right_strike"}
+    assert set(blender.keytimes([1.0, 0.0])) == set(find_keytimes(walks_real[0]))
+    shorter, longer = sorted(one.travel[2] for one in (walks_real[0], run))
+    assert shorter < clip.travel[2] < longer
 
 
 def test_without_legs_a_body_is_blended_evenly(walks_a):
