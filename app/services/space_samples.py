@@ -42,13 +42,13 @@ def _make(database: Database, motion_set: str) -> None:
         most_spread=MOST_SPREAD,
         note=NOTE,
     )
-    defined = define(spaces.SAMPLES[motion_set], sources, {}, _sliders(motion_set), origin)
+    defined = define(spaces.SAMPLES[motion_set], sources, {}, sliders(motion_set), origin)
     with database.writing() as db:
         spaces.keep(db, defined, study_id=None, made_by=None)
         db.commit()
 
 
-def _sliders(motion_set: str) -> Sliders:
+def sliders(motion_set: str) -> Sliders:
     """The sliders that the analysis gives with its usual thresholds and four clusters."""
     ratings = simulated_ratings(motion_set, np.random.default_rng(SEED), RATERS)
     scales = {scale["id"]: Scale.model_validate(scale) for scale in SCALES}

@@ -43,13 +43,13 @@ _STYLES: Mapping[str, Values] = {
 _EMOTIONS: Mapping[str, Values] = {
     "excitement": (0.2, 0.1, 0.9, 0.9),
     "pleasure": (0.1, 0.7, 0.9, 0.1),
-    "contentment": (-0.1, 1.0, 0.3, -0.3),
+    "contentment": (-0.1, 1.0, 0.3, -0.1),
     "sleepiness": (-0.2, -0.5, -1.0, 0.0),
     "depression": (-0.2, 0.1, -0.8, -0.8),
     "misery": (-0.1, -0.6, -0.4, -0.8),
-    "distress": (0.2, -1.0, -0.1, 0.1),
-    "arousal": (0.2, -0.4, 0.2, 0.8),
-    "neutral": (0.0, 0.5, 0.1, -0.1),
+    "distress": (0.2, -1.0, 0.1, -0.3),  # roused, but steps are short and the arms drawn in
+    "arousal": (0.2, -0.4, 0.1, 0.9),
+    "neutral": (0.0, 0.5, 0.0, 0.0),
 }
 # What a speed adds: a fast walk is quicker, and its steps are longer.
 _SPEEDS: Mapping[str, Values] = {
