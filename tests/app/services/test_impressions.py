@@ -275,3 +275,14 @@ def test_words_of_any_length_make_titles_of_a_title_s_length(db, ratings):
     ]
     rated_pairs.rated(db, rated_pairs.definition(10, sum(GROUPS), scales=long), ratings)
     assert {len(one.title) for one in looked_at(db).clusters} == {200}
+
+
+def test_a_pair_that_a_later_version_added_joins_the_others(db, study, ratings):
+    version = add_version(db, study, rated_pairs.definition(10, sum(GROUPS) + 1), 2)
+    added = np.concatenate([ratings[:3], ratings[:3, :, :1]], axis=2)
+    rated_pairs.add(db, study, added, version_id=version.id)
+    found = looked_at(db)
+    assert found.participants == 11
+    assert [pair.id for pair in found.pairs][-1] == "pair_9"
+    assert found.pairs[-1].cluster == found.pairs[0].cluster
+    np.testing.assert_allclose(np.array(found.means)[:, 9], ratings[:3, :, 0].mean(axis=0))
