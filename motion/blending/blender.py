@@ -3,22 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.sparse import csr_array
 
 from motion.blending.example import Example, turned
-from motion.blending.feet import BlendedFoot, read_foot
+from motion.blending.feet import BlendedFoot, foot_columns, read_foot
 from motion.blending.legs import onto_feet
+from motion.blending.sampling import catmull_rom, weighted_sums
 from motion.blending.time_warp import common_order, first_event, warped
 from motion.clip import Clip
+from motion.editing.foot_plants import Foot
 from motion.errors import MotionError
 from motion.rotations import from_directions, make_continuous
 
 Array = NDArray[np.float64]
 
 _NONE = 1e-9  # a weight below this counts as none
+
+
+@dataclass(frozen=True, eq=False)
+class _Mixture:
+    """The examples that take part in a blend.
+
+    Attributes:
+        chosen: (A,) which.
+        shares: (A,) their weights, of sum 1.
+        step: s, the blend's frame time: the shortest of theirs.
+        spans: number of steps from frame to frame that come nearest to their mean duration.
+    """
+
+    chosen: NDArray[np.intp]
+    shares: Array
+    step: float
+    spans: int
 
 
 class Blender:
@@ -62,30 +81,22 @@ class Blender:
         self._steps = np.array([clip.frame_time for clip in clips])
         self._turned = np.array([example.turned for example in self._examples])
         feet = zip(*(example.feet for example in self._examples), strict=True)
-        # For each foot and point of its sole, the examples' offsets (N, 3).
-        self._soles = [
-            [
-                np.array([p.offset for p in point])
-                for point in zip(*(f.points for f in foot), strict=True)
-            ]
-            for foot in feet
-        ]
+        self._soles = [_offsets(foot) for foot in feet]
         self._order = common_order([example.phases for example in self._examples])
         self._events = self._events_of(range(len(clips)), self._order)
         self._uneven = any(set(e.phases) != set(self._order) for e in self._examples)
 
     def frames(self, weights: ArrayLike) -> int:
         """Number of frames that a blend would have."""
-        return self._spans_of(*self._chosen(weights)) + 1
+        return self._mixture(weights).spans + 1
 
     def keytimes(self, weights: ArrayLike) -> dict[str, float]:
         """Event to seconds from the blend's first frame, of the events that order its time."""
-        chosen, shares = self._chosen(weights)
-        names, events = self._common(chosen)
-        frames = self._spans_of(chosen, shares)
-        duration = frames * float(self._steps[chosen].min())
-        means = (shares @ events) % 1.0 if self.cyclic else shares @ events
-        return dict(zip(names, (means * duration).tolist(), strict=True))
+        mixture = self._mixture(weights)
+        names, events = self._common(mixture.chosen)
+        means = mixture.shares @ events
+        moments = (means % 1.0 if self.cyclic else means) * mixture.spans * mixture.step
+        return dict(zip(names, moments.tolist(), strict=True))
 
     def blend(self, weights: ArrayLike) -> Clip:
         """The clip between the examples.
@@ -99,30 +110,18 @@ class Blender:
         Raises:
             MotionError: if the weights are none of that, or rotations cancel each other out.
         """
-        chosen, shares = self._chosen(weights)
-        frames = self._spans_of(chosen, shares)
-        at = np.arange(frames if self.cyclic else frames + 1) / frames
-        _, events = self._common(chosen)
-        when = warped(at, events, shares, cyclic=self.cyclic)
-        mixed = self._sampled(chosen, shares, when)
-        gone = when.T @ (shares[:, None] * self._travel[chosen])
-        joints = len(self.skeleton)
-        directions = np.ascontiguousarray(mixed[:, : 6 * joints]).reshape(-1, joints, 6)
-        rotations = from_directions(directions)
-        root = mixed[:, 6 * joints : 6 * joints + 3] + gone
-        feet = self._feet(chosen, shares, mixed[:, 6 * joints + 3 :], gone)
-        step = float(self._steps[chosen].min())
-        if feet:
-            rotations = onto_feet(Clip(self.skeleton, root, rotations, step), feet)
-        rotations = make_continuous(rotations)
-        if self.cyclic:
-            travel = shares @ self._travel[chosen]
-            root = np.concatenate([root, root[:1] + travel])
-            rotations = np.concatenate([rotations, rotations[:1]])
-        clip = Clip(self.skeleton, root, rotations, step, self.cyclic)
-        return turned(clip, float(np.angle(shares @ np.exp(1j * self._turned[chosen]))))
+        mixture = self._mixture(weights)
+        when = self._when(mixture)
+        mixed = self._sampled(mixture, when)
+        gone = when.T @ (mixture.shares[:, None] * self._travel[mixture.chosen])
+        own = 6 * len(self.skeleton)
+        directions = np.ascontiguousarray(mixed[:, :own]).reshape(len(mixed), -1, 6)
+        root = mixed[:, own : own + 3] + gone
+        rough = Clip(self.skeleton, root, from_directions(directions), mixture.step)
+        feet = self._feet(mixture, mixed[:, own + 3 :], gone)
+        return self._finished(mixture, replace(rough, rotations=onto_feet(rough, feet)))
 
-    def _chosen(self, weights: ArrayLike) -> tuple[NDArray[np.intp], Array]:
+    def _mixture(self, weights: ArrayLike) -> _Mixture:
         weights = np.array(weights, dtype=float)
         if weights.shape != (len(self.clips),):
             raise MotionError(f"{len(self.clips)} clips need as many weights, not {weights.shape}.")
@@ -130,11 +129,16 @@ class Blender:
             raise MotionError("Weights must be 0 or more, and one of them above 0.")
         shares = weights / weights.sum()
         chosen = np.flatnonzero(shares > _NONE)
-        return chosen, shares[chosen] / shares[chosen].sum()
-
-    def _spans_of(self, chosen: NDArray[np.intp], shares: Array) -> int:
+        shares = shares[chosen] / shares[chosen].sum()
+        step = float(self._steps[chosen].min())
         duration = float(shares @ self._durations[chosen])
-        return max(1, round(duration / float(self._steps[chosen].min())))
+        return _Mixture(chosen, shares, step, max(1, round(duration / step)))
+
+    def _when(self, mixture: _Mixture) -> Array:
+        """Share of each example (A, T) that is shown in each frame, without a closing one."""
+        at = np.arange(mixture.spans + (not self.cyclic)) / mixture.spans
+        _, events = self._common(mixture.chosen)
+        return warped(at, events, mixture.shares, cyclic=self.cyclic)
 
     def _common(self, chosen: NDArray[np.intp]) -> tuple[tuple[str, ...], Array]:
         """Events of the examples that take part, and their shares (A, K).
@@ -150,52 +154,41 @@ class Blender:
         rows = [[self._examples[index].phases[name] for name in names] for index in chosen]
         return np.array(rows).reshape(len(rows), len(names))
 
-    def _sampled(self, chosen: NDArray[np.intp], shares: Array, when: Array) -> Array:
-        """(T, C) weighted sum of the examples' rows at their shares (A, T) of time.
+    def _sampled(self, mixture: _Mixture, when: Array) -> Array:
+        """(T, C) weighted sum of the examples' rows at their shares (A, T) of time."""
+        spans = self._spans[mixture.chosen, None, None]
+        places, taps = catmull_rom(when * spans[..., 0])
+        # Rows that are no cycle have one more before the first.
+        places = places % spans if self.cyclic else np.clip(places + 1, 0, spans + 2)
+        places += self._begin[mixture.chosen, None, None]
+        return weighted_sums(self._rows, places, mixture.shares[:, None, None] * taps)
 
-        Between frames a Catmull–Rom cubic: through every frame, and without a corner there.
-        """
-        at = when * self._spans[chosen, None]
-        low = np.floor(at)
-        f = at - low
-        taps = np.stack(
-            [
-                f * (f * (1.0 - 0.5 * f) - 0.5),
-                1.0 + f * f * (1.5 * f - 2.5),
-                f * (0.5 + f * (2.0 - 1.5 * f)),
-                f * f * (0.5 * f - 0.5),
-            ],
-            axis=-1,
-        )
-        places = low.astype(np.intp)[..., None] + np.arange(-1, 3)
-        if self.cyclic:
-            places %= self._spans[chosen, None, None]
-        else:
-            places = np.clip(places + 1, 0, self._spans[chosen, None, None] + 2)
-        places += self._begin[chosen, None, None]
-        data = (shares[:, None, None] * taps).transpose(1, 0, 2)
-        indices = places.transpose(1, 0, 2)
-        count, each = len(data), data[0].size
-        pointer = np.arange(0, (count + 1) * each, each)
-        parts = (np.ravel(data), np.ravel(indices), pointer)
-        return np.asarray(csr_array(parts, shape=(count, len(self._rows))) @ self._rows)
-
-    def _feet(
-        self,
-        chosen: NDArray[np.intp],
-        shares: Array,
-        columns: Array,
-        gone: Array,
-    ) -> list[BlendedFoot]:
+    def _feet(self, mixture: _Mixture, columns: Array, gone: Array) -> list[BlendedFoot]:
         feet, start = [], 0
-        travel = shares @ self._travel[chosen] if self.cyclic else None
+        travel = mixture.shares @ self._travel[mixture.chosen] if self.cyclic else None
         for foot, soles in zip(self._examples[0].feet, self._soles, strict=True):
-            width = 11 + 3 * len(soles)
-            offsets = [shares @ sole[chosen] for sole in soles]
+            width = foot_columns(len(soles))
+            offsets = [mixture.shares @ sole[mixture.chosen] for sole in soles]
             part = np.ascontiguousarray(columns[:, start : start + width])
             feet.append(read_foot(foot, offsets, part, gone, travel))
             start += width
         return feet
+
+    def _finished(self, mixture: _Mixture, clip: Clip) -> Clip:
+        """The clip with its closing frame, and facing where the examples face in the mean."""
+        root, rotations = clip.root_positions, make_continuous(clip.rotations)
+        if self.cyclic:
+            travel = mixture.shares @ self._travel[mixture.chosen]
+            root = np.concatenate([root, root[:1] + travel])
+            rotations = np.concatenate([rotations, rotations[:1]])
+        facing = float(np.angle(mixture.shares @ np.exp(1j * self._turned[mixture.chosen])))
+        return turned(Clip(self.skeleton, root, rotations, clip.frame_time, self.cyclic), facing)
+
+
+def _offsets(feet: Sequence[Foot]) -> list[Array]:
+    """For each point of a foot's sole its place (N, 3) on the examples' feet."""
+    points = zip(*(foot.points for foot in feet), strict=True)
+    return [np.array([point.offset for point in each]) for each in points]
 
 
 def _check(clips: Sequence[Clip], keytimes: Sequence[Mapping[str, float]] | None) -> None:

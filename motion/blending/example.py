@@ -84,7 +84,7 @@ def _prepared(clip: Clip, keytimes: tuple[tuple[str, float], ...], anchor: str |
         rows = np.vstack([2.0 * rows[:1] - rows[1:2], rows, 2.0 * rows[-1:] - rows[-2:-1]])
     phases = {name: moment / clip.duration for name, moment in keytimes}
     if clip.cyclic:
-        phases = _from(phases, start, clip.frames - 1)
+        phases = _from(phases, start / (clip.frames - 1), anchor)
     ordered = dict(sorted(phases.items(), key=lambda item: item[1]))
     travel = aligned.travel if clip.cyclic else np.zeros(3)
     return Example(clip, rows, ordered, travel, turned, feet)
@@ -99,14 +99,16 @@ def _begun_at(clip: Clip, frame: int) -> Clip:
     return replace(clip, root_positions=root, rotations=rotations)
 
 
-def _from(phases: Mapping[str, float], start: int, spans: int) -> dict[str, float]:
-    """Shares of a cycle that begins at a frame; what comes half a frame before it is just below 0.
+def _from(phases: Mapping[str, float], start: float, anchor: str | None) -> dict[str, float]:
+    """Shares of a cycle that begins at another share, within half a frame of the anchor.
 
-    So a strike between two frames keeps its place, and no frame is sampled between others.
+    An anchor between two frames keeps its place there, just before 0 or after: so a blend's frames
+    are frames of an example that is alone.
     """
-    late = 1.0 - 0.5 / spans - 1e-9
-    shifted = {name: (phase - start / spans) % 1.0 for name, phase in phases.items()}
-    return {name: phase - 1.0 if phase >= late else phase for name, phase in shifted.items()}
+    shifted = {name: (phase - start) % 1.0 for name, phase in phases.items()}
+    if anchor is not None and shifted[anchor] > 0.5:
+        shifted[anchor] -= 1.0
+    return shifted
 
 
 def _aligned(clip: Clip) -> tuple[Clip, float]:

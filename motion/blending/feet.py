@@ -135,6 +135,11 @@ class BlendedFoot:
         return np.diff(sole, axis=0, append=after)[:, [0, 2]]
 
 
+def foot_columns(points: int) -> int:
+    """Number of columns of a foot with so many points under its sole."""
+    return 11 + 3 * points
+
+
 def read_foot(
     foot: Foot, offsets: Sequence[Array], columns: Array, gone: Array, travel: Array | None
 ) -> BlendedFoot:
