@@ -13,6 +13,13 @@ interface Cell {
   column: number;
 }
 
+const FEW = 16; // clips beside which the tree may be broad
+const MOST_BESIDE = 28; // clips that fit beside the tree at 1280 px
+
+/** Room for the longest label at 45 degrees. */
+const headHeight = (clips: Impressions["clips"]): number =>
+  Math.min(150, 28 + 4.6 * Math.max(...clips.map(({ label }) => label.length)));
+
 @customElement("impression-map")
 export class ImpressionMap extends LitElement {
   @property({ attribute: false }) data!: Impressions;
@@ -47,7 +54,7 @@ export class ImpressionMap extends LitElement {
         <h2 class="figure-title" id="together">Which adjective pairs go together</h2>
         <p>Ward’s method over ${clips.length} clips, ${kept.length} pairs kept of ${pairs.length}. Drag the cut: <span class="cluster-count">${counted(data.clusters.length, "cluster")}</span>.</p>
       </header>
-      <div class="map-scroll"><div class="map">${this.tree()}${this.table()}</div></div>
+      <div class="map-scroll ${clips.length <= MOST_BESIDE ? "fits" : ""}"><div class="map">${this.tree()}${this.table()}</div></div>
       <div class="map-foot">${this.legend()}
         <p class="readout" aria-live="polite">${this.read ? this.words(this.read) : "Point at a cell, or go to it with the arrow keys, to read it."}</p>
         <button class="button" type="button" aria-pressed=${this.showNumbers} @click=${() => (this.showNumbers = !this.showNumbers)}>${icon("table")}Show numbers</button>
@@ -62,11 +69,11 @@ export class ImpressionMap extends LitElement {
   }
 
   private tree(): TemplateResult {
-    const { merges, kept, leaves, clusters } = this.data;
+    const { merges, kept, leaves, clusters, clips } = this.data;
     const row = new Map(leaves.map((id, place) => [id, place]));
     return dendrogram(
       {
-        merges, held: this.held, cut: Math.max(1, clusters.length), width: this.narrow.matches ? 104 : 268,
+        merges, held: this.held, cut: Math.max(1, clusters.length), width: this.narrow.matches ? 104 : clips.length > FEW ? 180 : 268,
         order: kept.map((id) => row.get(id)!), clusters: clustersOfLeaves(this.data),
       },
       {
@@ -85,7 +92,7 @@ export class ImpressionMap extends LitElement {
     const { clips, leaves } = this.data;
     const places = new Map(spans(clustersOfLeaves(this.data)).map((span) => [span.from, span]));
     return html`<table class="heat ${this.showNumbers ? "numbers" : ""}" role="grid" aria-label="Impression matrix: how far each clip is from the left adjective (0) to the right one (1)"
-        @keydown=${this.press} @pointerleave=${() => (this.read = null)}>
+        ${paint({ "--head": `${headHeight(clips)}px` })} @keydown=${this.press} @pointerleave=${() => (this.read = null)}>
       <thead><tr><th scope="col"><span class="visually-hidden">Pair</span></th>
         ${clips.map(({ label }) => html`<th scope="col" class="clip"><span>${label}</span></th>`)}
         <th scope="col"><span class="visually-hidden">Cluster</span></th></tr></thead>

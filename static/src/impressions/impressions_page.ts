@@ -7,7 +7,7 @@ import { icon } from "../icons";
 import { dataOf } from "../results/chart";
 import { debounced, Latest } from "../studio/latest";
 import type { Ask } from "./events";
-import { limitsOf, remembered, sameLimits, together, type Decided, type Impressions, type Limits } from "./model";
+import { limitsOf, remembered, sameLimits, together, type Choices, type Decided, type Impressions, type Limits } from "./model";
 import { attempt } from "./problem";
 import "./cluster_list";
 import "./comparison";
@@ -111,7 +111,7 @@ export class ImpressionsPage extends LitElement {
 
   /** Saves thresholds and cut as they are, and whatever else is changed. */
   private save(change: (now: Decided) => Decided = (now) => now): Promise<void> {
-    this.saved = this.saved.then(() => this.put(change));
+    this.saved = this.saved.catch(() => {}).then(() => this.put(change));
     return this.saved;
   }
 
@@ -121,11 +121,16 @@ export class ImpressionsPage extends LitElement {
     this.saving = "saving";
     const decided = change(this.decided);
     await this.attempt(async () => {
-      const saved = await api.put<Impressions>(`${this.address}/${data.part.id}`, { ...limits, ...decided }, { query: { kind: this.query.kind } });
+      const saved = await this.send(data, { ...limits, ...decided });
       this.decided = decided;
       if (this.isAt(limits)) this.show(saved);
     });
     this.saving = this.problem ? null : this.isAt(limits) ? "saved" : "waiting";
+  }
+
+  /** The request outlives the page: somebody may name a cluster and go. */
+  private send({ part, kind }: Impressions, choices: Choices): Promise<Impressions> {
+    return api.put<Impressions>(`${this.address}/${part.id}`, choices, { query: { kind }, keepalive: true });
   }
 
   private isAt(limits: Limits): boolean {
@@ -136,14 +141,14 @@ export class ImpressionsPage extends LitElement {
   private readonly leave = (): void => {
     const { data, limits } = this;
     if (this.saving !== "waiting" || !data || !limits) return;
-    void api.put(`${this.address}/${data.part.id}`, { ...limits, ...this.decided }, { query: { kind: this.query.kind }, keepalive: true });
+    void this.send(data, { ...limits, ...this.decided }).catch(() => {}); // nobody is there to be told
   };
 
   private readonly settle = (): Promise<void> => (this.saving === "waiting" ? this.save() : this.saved);
 
   protected override render(): TemplateResult {
     const { data, limits } = this;
-    return html`${this.problem ? problemNote(this.problem, data ? undefined : () => void this.load()) : nothing}
+    return html`${this.problem ? html`<div class="page-problem">${problemNote(this.problem, data ? undefined : () => void this.load())}</div>` : nothing}
       ${data && limits ? this.page(data, limits) : this.problem ? nothing : html`<p class="quiet loading" role="status">The answers are being counted.</p>`}`;
   }
 
