@@ -10,7 +10,7 @@ from app.figures import theme
 from app.figures.clips import SCHEMA, Width
 from app.figures.theme import Mode
 
-LANE = 16  # px of each interface
+LANE, BETWEEN = 16, 26  # px of each interface, and between two targets
 ALL = "all targets"
 PERCENT = "replace(format(datum.value, '.0%'), '%', ' %')"
 
@@ -72,7 +72,7 @@ def targets(
         "$schema": SCHEMA,
         "config": theme.config(mode),
         "width": width,
-        "height": {"step": LANE},
+        "height": len(rows) * (LANE * len(interfaces) + BETWEEN),
         "autosize": {"type": "fit-x", "contains": "padding"},
         "data": {"values": [_row(bar) for bar in bars]},
         "encoding": {
