@@ -36,8 +36,8 @@ ACTS = {
     "session_unflagged": "took the mark off participant {name}",
     "session_deleted": "deleted participant {name} and every answer of theirs",
     "session_exported": "downloaded all that is stored of participant {name}",
-    "impressions_cut": "set the analysis of “{part}” to pairs with μ* from {least_peak} and σ̄ up to "
-    "{most_spread}, in {clusters} clusters",
+    "impressions_cut": "set the analysis of “{part}” to pairs with μ* from {least_peak} and σ̄ up "
+    "to {most_spread}, in {clusters} clusters",
     "cluster_named": "called the cluster of {pair} in “{part}” “{name}”",
     "cluster_unnamed": "took the name “{name}” off the cluster of {pair} in “{part}”",
     "pair_moved": "moved {pair} of “{part}” into the cluster of {to} by hand",
