@@ -21,6 +21,7 @@ _CLIP: JsonDict = {
     "cyclic": True,
     "stature": 1.74,
     "poster_time": 0.8,
+    "skeleton_hash": "c1d2a6f0b3e94787a5f60d1e2b3c4d5e6f708192a3b4c5d6e7f8091a2b3c4d5e",
     "glb_url": "/media/5d41402abc4b2a76b9719d911017c5925d41402abc4b2a76b9719d911017c592.glb",
     "figure_url": "/media/7d793037a0760186574b0282f2f435e77d793037a0760186574b0282f2f435e7.glb",
     "recipe_source": None,
@@ -111,7 +112,11 @@ class ImportReport(BaseModel):
 
 
 class ClipView(BaseModel):
-    """A clip of the library; times in seconds, stature in metres."""
+    """A clip of the library; times in seconds, stature in metres.
+
+    Attributes:
+        skeleton_hash: the same for all clips that move one skeleton.
+    """
 
     model_config = ConfigDict(json_schema_extra={"example": _CLIP})
 
@@ -126,6 +131,7 @@ class ClipView(BaseModel):
     cyclic: bool
     stature: float
     poster_time: float
+    skeleton_hash: str
     glb_url: str
     figure_url: str | None
     page_url: str

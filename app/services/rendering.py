@@ -16,9 +16,11 @@ import numpy as np
 import orjson
 
 from app.errors import InvalidError
+from app.schemas.retargets import CycleCut
 from app.services.clip_files import ClipFiles, make_files
 from motion import Clip, MotionError
 from motion.bvh_write import write_bvh
+from motion.editing.cycle_cut import cut_cycle
 from motion.editing.foot_plants import find_feet
 from motion.editing.posture import capture_pose
 from motion.errors import RecipeError
@@ -134,14 +136,24 @@ def keytimes(clip: bytes) -> dict[str, float]:
         return find_keytimes(_clip(clip))
 
 
-def retarget_error(source: bytes, onto: bytes) -> dict[str, Any]:
-    """How well a motion would fit another clip's skeleton; see ``motion.retargeting``.
+def retarget_error(source: bytes, onto: bytes, cycle: CycleCut = "none") -> dict[str, Any]:
+    """How well a motion would fit another clip's skeleton, once a cycle is cut as wanted.
+
+    Numbers as in ``motion.retargeting``; besides them, which joints would rest.
 
     Raises:
-        InvalidError: a body role is missing that a human body needs.
+        InvalidError: a body role is missing that a human body needs, or no cycle can be cut.
     """
     with _told():
-        return asdict(retarget(_clip(source), _clip(onto)).error)
+        clip, body = _clip(source), _clip(onto)
+        if cycle == "found":
+            clip = cut_cycle(clip)
+        elif cycle == "whole":
+            clip = cut_cycle(clip, 0.0, clip.duration)
+        roles = body.skeleton.roles.items()
+        led = {joint for role, joint in roles if role in clip.skeleton.roles}
+        resting = [name for joint, name in enumerate(body.skeleton.names) if joint not in led]
+        return {**asdict(retarget(clip, body).error), "resting": resting}
 
 
 def as_bvh(clip: bytes) -> bytes:

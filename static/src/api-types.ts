@@ -337,6 +337,49 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/skeletons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Skeletons
+         * @description The skeletons that clips of the library share, each with an example.
+         */
+        get: operations["list_skeletons"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/clips/{clip_id}/retargeting": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Clip Retargeting
+         * @description How well a clip's motion would fit another skeleton. Nothing is stored.
+         *
+         *     The recipe `[{"operation": "retarget@1", "parameters": {"clip": "<onto>"}}]` makes the clip;
+         *     for one cycle, `cycle@1` stands before it, with the whole motion's start and end if it is one.
+         */
+        get: operations["clip_retargeting"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/operations": {
         parameters: {
             query?: never;
@@ -1839,6 +1882,7 @@ export interface components {
          *       "name": "set_b_sad_slow",
          *       "page_url": "/library/0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
          *       "poster_time": 0.8,
+         *       "skeleton_hash": "c1d2a6f0b3e94787a5f60d1e2b3c4d5e6f708192a3b4c5d6e7f8091a2b3c4d5e",
          *       "source": "sample",
          *       "state": "kept",
          *       "stature": 1.74,
@@ -1882,6 +1926,8 @@ export interface components {
             stature: number;
             /** Poster Time */
             poster_time: number;
+            /** Skeleton Hash */
+            skeleton_hash: string;
             /** Glb Url */
             glb_url: string;
             /** Figure Url */
@@ -1908,6 +1954,7 @@ export interface components {
          *       "name": "set_b_sad_slow",
          *       "page_url": "/library/0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
          *       "poster_time": 0.8,
+         *       "skeleton_hash": "c1d2a6f0b3e94787a5f60d1e2b3c4d5e6f708192a3b4c5d6e7f8091a2b3c4d5e",
          *       "source": "sample",
          *       "state": "kept",
          *       "stature": 1.74,
@@ -1951,6 +1998,8 @@ export interface components {
             stature: number;
             /** Poster Time */
             poster_time: number;
+            /** Skeleton Hash */
+            skeleton_hash: string;
             /** Glb Url */
             glb_url: string;
             /** Figure Url */
@@ -2005,6 +2054,9 @@ export interface components {
         /**
          * ClipView
          * @description A clip of the library; times in seconds, stature in metres.
+         *
+         *     Attributes:
+         *         skeleton_hash: the same for all clips that move one skeleton.
          * @example {
          *       "cyclic": true,
          *       "duration": 1.6,
@@ -2016,6 +2068,7 @@ export interface components {
          *       "name": "set_b_sad_slow",
          *       "page_url": "/library/0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
          *       "poster_time": 0.8,
+         *       "skeleton_hash": "c1d2a6f0b3e94787a5f60d1e2b3c4d5e6f708192a3b4c5d6e7f8091a2b3c4d5e",
          *       "source": "sample",
          *       "state": "kept",
          *       "stature": 1.74,
@@ -2059,6 +2112,8 @@ export interface components {
             stature: number;
             /** Poster Time */
             poster_time: number;
+            /** Skeleton Hash */
+            skeleton_hash: string;
             /** Glb Url */
             glb_url: string;
             /** Figure Url */
@@ -4299,6 +4354,55 @@ export interface components {
             comment: string;
         };
         /**
+         * Retargeting
+         * @description How well a motion would fit the skeleton of another clip.
+         *
+         *     Attributes:
+         *         same: both clips move the same skeleton already.
+         *         fits: whether what changes stays within what a viewer would hardly see.
+         *         sentence: all of this in words.
+         *         mean_direction, greatest_direction: radians between the directions of the limbs' segments
+         *             before and after, over all frames.
+         *         slip: metres, the farthest that a point of a sole slides while it stands.
+         *         sole_height: metres that a standing sole is above or below the floor, in the mean.
+         *         unmapped: body roles that only one of the two skeletons has.
+         *         resting: joints of the new skeleton that rest as in standing: their role is in it alone, or
+         *             they have none.
+         * @example {
+         *       "fits": true,
+         *       "greatest_direction": 0.021,
+         *       "mean_direction": 0.004,
+         *       "resting": [
+         *         "LeftHandIndex1"
+         *       ],
+         *       "same": false,
+         *       "sentence": "The motion fits: limbs point where they pointed, within 1.2°; standing feet slide at most 4 mm.",
+         *       "slip": 0.004,
+         *       "sole_height": 0.001,
+         *       "unmapped": []
+         *     }
+         */
+        Retargeting: {
+            /** Same */
+            same: boolean;
+            /** Fits */
+            fits: boolean;
+            /** Sentence */
+            sentence: string;
+            /** Mean Direction */
+            mean_direction: number;
+            /** Greatest Direction */
+            greatest_direction: number;
+            /** Slip */
+            slip: number;
+            /** Sole Height */
+            sole_height: number;
+            /** Unmapped */
+            unmapped: string[];
+            /** Resting */
+            resting: string[];
+        };
+        /**
          * Running
          * @description How a study is run.
          *
@@ -4499,6 +4603,31 @@ export interface components {
             low: number | null;
             /** High */
             high: number | null;
+        };
+        /**
+         * SkeletonList
+         * @description The skeletons of the library, that with most clips first.
+         */
+        SkeletonList: {
+            /** Skeletons */
+            skeletons: components["schemas"]["SkeletonView"][];
+        };
+        /**
+         * SkeletonView
+         * @description A skeleton of the library that a figure can stand on.
+         *
+         *     Attributes:
+         *         id: what its clips tell as their ``skeleton_hash``.
+         *         clips: how many kept clips move it.
+         *         example: one of them, by which people know the body; a recipe names it to put a motion
+         *             onto this skeleton.
+         */
+        SkeletonView: {
+            /** Id */
+            id: string;
+            /** Clips */
+            clips: number;
+            example: components["schemas"]["ClipView"];
         };
         /**
          * Sliders
@@ -6881,6 +7010,179 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Rebuilt"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_skeletons: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SkeletonList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    clip_retargeting: {
+        parameters: {
+            query: {
+                /** @description A clip that moves the other skeleton */
+                onto: string;
+                /** @description `cycle@1` goes first: on the stride it finds, or on the whole motion */
+                cycle?: "none" | "found" | "whole";
+            };
+            header?: never;
+            path: {
+                clip_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Retargeting"];
                 };
             };
             /** @description Needs an API key, or a signed-in researcher */

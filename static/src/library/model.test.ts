@@ -3,7 +3,8 @@ import { caption, counted, filtersOf, find, framesPerSecond, type Clip } from ".
 
 const clip = (name: string, tags: Record<string, string>, more: Partial<Clip> = {}): Clip => ({
   id: name, name, tags, source: "sample", state: "kept", frames: 31, frame_time: 1 / 30, duration: 1,
-  cyclic: true, stature: 1.6, poster_time: 0, glb_url: "", figure_url: "", page_url: "", recipe_source: null,
+  cyclic: true, stature: 1.6, poster_time: 0, skeleton_hash: "", glb_url: "", figure_url: "", page_url: "",
+  recipe_source: null,
   ...more,
 });
 const clips = [
