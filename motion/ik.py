@@ -33,7 +33,12 @@ class TwoBones:
 
 
 def solve_two_bones(
-    start: Array, target: Array, pole: Array, lengths: tuple[float, float], *, soft: float = 0.0
+    start: Array,
+    target: Array,
+    pole: Array,
+    lengths: tuple[float | Array, float | Array],
+    *,
+    soft: float = 0.0,
 ) -> TwoBones:
     """Place the middle and end joints of a limb.
 
@@ -46,19 +51,19 @@ def solve_two_bones(
         target: (T, 3) where the ankle or wrist shall be.
         pole: (T, 3) or (3,) direction into which the middle joint points; any length, not along
             the limb.
-        lengths: first and second bone, metres.
+        lengths: first and second bone, metres; (T,) each where limbs of several are solved.
         soft: share of the limb's length over which the reach is compressed, 0 to 0.5.
 
     Raises:
         MotionError: if a bone has no length or ``soft`` is out of its range.
     """
     upper, lower = lengths
-    if min(lengths) <= 0 or not 0.0 <= soft <= 0.5:
+    if min(np.min(upper), np.min(lower)) <= 0 or not 0.0 <= soft <= 0.5:
         raise MotionError(f"Bones {lengths} and softness {soft} make no limb.")
     reach, distance = _direction(target - start)
     limb = upper + lower
     distance = soft_limit(distance, limb, soft * limb)
-    distance = np.clip(distance, abs(upper - lower) + _TINY, limb - _TINY * limb)
+    distance = np.clip(distance, np.abs(upper - lower) + _TINY, limb - _TINY * limb)
     along = (upper**2 - lower**2 + distance**2) / (2.0 * distance)
     aside = np.sqrt(np.maximum(upper**2 - along**2, 0.0))
     outward = _perpendicular(np.broadcast_to(pole, reach.shape), reach)
@@ -71,12 +76,12 @@ def solve_two_bones(
     )
 
 
-def soft_limit(distance: Array, limit: float, width: float) -> Array:
+def soft_limit(distance: Array, limit: float | Array, width: float | Array) -> Array:
     """Distances (T,) compressed so that they approach ``limit`` but never pass it.
 
     The identity below ``limit − width``; from there exponential with a continuous slope.
     """
-    if width <= _TINY:
+    if np.max(width) <= _TINY:
         return np.minimum(distance, limit)
     over = np.maximum(distance - (limit - width), 0.0)
     return np.where(over > 0, limit - width * np.exp(-over / width), distance)
