@@ -27,6 +27,8 @@ export class ImpressionsPage extends LitElement {
   /** What the sliders and the cut say; the data follow. */
   @state() private limits: Limits | null = null;
   @state() private problem: ApiError | null = null;
+  /** Why a save was refused. It stays until a later one by hand goes well. */
+  @state() private refused: ApiError | null = null;
   @state() private saving: "saved" | "waiting" | "saving" | null = null;
   private decided: Decided = { names: {}, moved: {} };
   private readonly wanted = new URLSearchParams(location.search);
@@ -96,18 +98,23 @@ export class ImpressionsPage extends LitElement {
   };
 
   private readonly renamed = ({ detail: { key, title } }: Ask<"rename">): void => {
-    void this.save(({ names, moved }) => {
+    void this.decide(({ names, moved }) => {
       const { [key]: _, ...others } = names;
       return { names: title ? { ...others, [key]: title } : others, moved };
     });
   };
 
   private readonly moved = ({ detail: { pair, to } }: Ask<"move">): void => {
-    void this.save(({ names, moved }) => {
+    void this.decide(({ names, moved }) => {
       const { [pair]: _, ...others } = moved;
       return { names, moved: to ? { ...others, [pair]: to } : others };
     });
   };
+
+  private decide(change: (now: Decided) => Decided): Promise<void> {
+    this.refused = null;
+    return this.save(change);
+  }
 
   /** Saves thresholds and cut as they are, and whatever else is changed. */
   private save(change: (now: Decided) => Decided = (now) => now): Promise<void> {
@@ -120,12 +127,14 @@ export class ImpressionsPage extends LitElement {
     if (!data?.may_edit || !limits) return;
     this.saving = "saving";
     const decided = change(this.decided);
-    await this.attempt(async () => {
+    let went = false;
+    await attempt(async () => {
       const saved = await this.send(data, { ...limits, ...decided });
       this.decided = decided;
       if (this.isAt(limits)) this.show(saved);
-    });
-    this.saving = this.problem ? null : this.isAt(limits) ? "saved" : "waiting";
+      went = true;
+    }, (problem) => (this.refused = problem ?? this.refused));
+    this.saving = !went ? null : this.isAt(limits) ? "saved" : "waiting";
   }
 
   /** The request outlives the page: somebody may name a cluster and go. */
@@ -148,7 +157,8 @@ export class ImpressionsPage extends LitElement {
 
   protected override render(): TemplateResult {
     const { data, limits } = this;
-    return html`${this.problem ? html`<div class="page-problem">${problemNote(this.problem, data ? undefined : () => void this.load())}</div>` : nothing}
+    const problem = this.problem ?? this.refused;
+    return html`${problem ? html`<div class="page-problem">${problemNote(problem, data ? undefined : () => void this.load())}</div>` : nothing}
       ${data && limits ? this.page(data, limits) : this.problem ? nothing : html`<p class="quiet loading" role="status">The answers are being counted.</p>`}`;
   }
 
