@@ -26,7 +26,7 @@ from app.dependencies import (
 )
 from app.pages import render
 from app.schemas.errors import BUSY, ERRORS
-from app.schemas.impressions import Choices, Comparison, Freeze, Impressions, Stability
+from app.schemas.impressions import AnalysisChoices, Comparison, Freeze, Impressions, Stability
 from app.schemas.results import SessionKind
 from app.schemas.spaces import SpaceLine
 from app.services import (
@@ -162,7 +162,11 @@ def freeze_impressions(
 
 @api.put("/{part}")
 def choose_impressions(
-    access: StudyEditor, part: str, choices: Choices, db: Writing, kind: SessionKind = "participant"
+    access: StudyEditor,
+    part: str,
+    choices: AnalysisChoices,
+    db: Writing,
+    kind: SessionKind = "participant",
 ) -> Impressions:
     """Save thresholds, cut, names and moves by hand. What changed is written down."""
     return impression_choices.save(db, access, part, choices, kind)

@@ -14,7 +14,7 @@ from app.schemas.study.words import ContentHash, Name, Title
 LEAST_PEAK, MOST_SPREAD, CLUSTERS = 1.0, 0.85, 4  # Oshita et al., eq. 3 and section 3.6
 
 
-class Choices(BaseModel):
+class AnalysisChoices(BaseModel):
     """What a researcher chose in the analysis of a part.
 
     Attributes:
@@ -127,7 +127,7 @@ class Impressions(BaseModel):
     reach: int
     participants: int
     simulated: int
-    choices: Choices
+    choices: AnalysisChoices
     saved_at: datetime | None
     clips: list[Rated]
     pairs: list[Pair]

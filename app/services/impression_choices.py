@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.errors import InvalidError
 from app.persistence import impressions as store
-from app.schemas.impressions import Choices, Impressions
+from app.schemas.impressions import AnalysisChoices, Impressions
 from app.schemas.results import SessionKind
 from app.services import audit, impressions
 from app.services.impression_answers import Answers, pair_words
@@ -18,7 +18,11 @@ from app.services.studies import find
 
 
 def save(
-    db: Session, access: Access, part: str, choices: Choices, kind: SessionKind = "participant"
+    db: Session,
+    access: Access,
+    part: str,
+    choices: AnalysisChoices,
+    kind: SessionKind = "participant",
 ) -> Impressions:
     """Keep the choices for a part; each that differs from before is in the audit trail.
 
@@ -51,7 +55,7 @@ def save(
     return impressions.shown(db, after, access.role)
 
 
-def _check(asked: Answers, wanted: Choices) -> None:
+def _check(asked: Answers, wanted: AnalysisChoices) -> None:
     known = set(asked.ids)
     mentioned = {"names": list(wanted.names), "moved": [*wanted.moved, *wanted.moved.values()]}
     for field, pairs in mentioned.items():
@@ -122,5 +126,5 @@ def _write_down(db: Session, access: Access, before: Analysed, after: Analysed) 
             note("pair_moved_back", pair=words.get(pair, pair))
 
 
-def _numbers(choices: Choices) -> tuple[float, float, int]:
+def _numbers(choices: AnalysisChoices) -> tuple[float, float, int]:
     return choices.least_peak, choices.most_spread, choices.clusters

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.schemas.impressions import Choices
+from app.schemas.impressions import AnalysisChoices
 from app.services.impression_answers import Answers, pair_words, rated_clips
 from app.services.impression_names import Called
 from app.services.impression_solution import LEAST, Solution
@@ -14,7 +14,7 @@ from app.services.sentences import number
 from app.statistics.quantification import kept
 
 
-def dropped(peak: float | None, spread: float | None, choices: Choices) -> str | None:
+def dropped(peak: float | None, spread: float | None, choices: AnalysisChoices) -> str | None:
     """Why a pair is left out (equation 3); None for a kept one."""
     if peak is None:
         return "Nobody rated it."
@@ -50,7 +50,7 @@ def outcome(asked: Answers, solution: Solution | None, titles: Sequence[Called])
     return f"{begun}. {len(solution.kept)} are kept{left}. They make {made}: {_listed(parts)}."
 
 
-def problem(asked: Answers, choices: Choices) -> str:
+def problem(asked: Answers, choices: AnalysisChoices) -> str:
     """Why there are no clusters."""
     people, rated = len(asked.ratings), int(np.count_nonzero(rated_clips(asked)))
     if people < LEAST:
@@ -68,7 +68,9 @@ def problem(asked: Answers, choices: Choices) -> str:
     return "No two clips have an answer on every kept pair, so the pairs cannot be compared."
 
 
-def notes(asked: Answers, saved: Choices, choices: Choices, solution: Solution | None) -> list[str]:
+def notes(
+    asked: Answers, saved: AnalysisChoices, choices: AnalysisChoices, solution: Solution | None
+) -> list[str]:
     """What of the answers or the choices could not be taken in, a sentence each."""
     found = []
     if len(asked.numbers) > 1:
@@ -96,7 +98,7 @@ def notes(asked: Answers, saved: Choices, choices: Choices, solution: Solution |
     return found + _nameless(saved, choices)
 
 
-def _nameless(saved: Choices, choices: Choices) -> list[str]:
+def _nameless(saved: AnalysisChoices, choices: AnalysisChoices) -> list[str]:
     borne = set(choices.names.values())
     return [
         f"No cluster is called “{name}” in this view: the pairs that it was given to are elsewhere."

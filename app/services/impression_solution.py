@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.schemas.impressions import Choices
+from app.schemas.impressions import AnalysisChoices
 from app.statistics.intervals import Samples
 from app.statistics.quantification import Quantified, impressions, kept
 from app.statistics.ward import Labels, Tree, cluster_means, cut, ward
@@ -67,7 +67,7 @@ class Solution:
 
 
 def solve(
-    quantified: Quantified, ids: Sequence[str], choices: Choices, reach: int
+    quantified: Quantified, ids: Sequence[str], choices: AnalysisChoices, reach: int
 ) -> Solution | None:
     """The solution by these choices; None if fewer than two pairs or two clips can be used.
 

@@ -15,7 +15,7 @@ from app.persistence import impressions as store
 from app.schemas.impressions import (
     LEAST_PEAK,
     MOST_SPREAD,
-    Choices,
+    AnalysisChoices,
     Cluster,
     Impressions,
     Merge,
@@ -49,9 +49,9 @@ class Analysed(NamedTuple):
     """
 
     answers: Answers
-    saved: Choices
+    saved: AnalysisChoices
     saved_at: datetime | None
-    choices: Choices
+    choices: AnalysisChoices
     solution: Solution | None
 
     @property
@@ -72,13 +72,13 @@ def analysed(
     """
     found = answers(db, slug, part, kind)
     row = store.saved(db, found.study_id, found.part.id)
-    saved = Choices.model_validate(row.choices) if row else defaults(found.reach)
+    saved = AnalysisChoices.model_validate(row.choices) if row else defaults(found.reach)
     return _by_choices(found, saved, row.saved_at if row else None, live or Live())
 
 
-def defaults(reach: int) -> Choices:
+def defaults(reach: int) -> AnalysisChoices:
     """The paper's thresholds, which are for answers from −2 to 2, on a scale of this reach."""
-    return Choices(least_peak=LEAST_PEAK * reach / 2, most_spread=MOST_SPREAD * reach / 2)
+    return AnalysisChoices(least_peak=LEAST_PEAK * reach / 2, most_spread=MOST_SPREAD * reach / 2)
 
 
 def impressions(
@@ -154,7 +154,9 @@ def clusters(found: Analysed) -> list[Cluster]:
     ]
 
 
-def _by_choices(found: Answers, saved: Choices, saved_at: datetime | None, live: Live) -> Analysed:
+def _by_choices(
+    found: Answers, saved: AnalysisChoices, saved_at: datetime | None, live: Live
+) -> Analysed:
     tried = {name: value for name, value in live._asdict().items() if value is not None}
     choices = saved.model_copy(update=tried)
     solution = _solved(found, choices)
@@ -169,7 +171,7 @@ def _by_choices(found: Answers, saved: Choices, saved_at: datetime | None, live:
     return Analysed(found, saved, saved_at, in_force, solution)
 
 
-def _solved(found: Answers, choices: Choices) -> Solution | None:
+def _solved(found: Answers, choices: AnalysisChoices) -> Solution | None:
     """The solution, if at least two people answered: nobody can agree alone."""
     if len(found.ratings) < LEAST:
         return None

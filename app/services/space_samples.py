@@ -6,7 +6,7 @@ import numpy as np
 
 from app.persistence.engine import Database
 from app.persistence.studies import sample_clips
-from app.schemas.impressions import LEAST_PEAK, MOST_SPREAD, Choices
+from app.schemas.impressions import LEAST_PEAK, MOST_SPREAD, AnalysisChoices
 from app.schemas.spaces import Origin, Sliders
 from app.schemas.study import Scale
 from app.services import impression_names, impression_space, spaces
@@ -52,7 +52,7 @@ def sliders(motion_set: str) -> Sliders:
     """The sliders that the analysis gives with its usual thresholds and four clusters."""
     ratings = simulated_ratings(motion_set, np.random.default_rng(SEED), RATERS)
     scales = {scale["id"]: Scale.model_validate(scale) for scale in SCALES}
-    solution = solve(quantify(ratings), list(scales), Choices(), REACH)
+    solution = solve(quantify(ratings), list(scales), AnalysisChoices(), REACH)
     if solution is None:
         raise RuntimeError("the simulated raters agree on no pair")  # their seed is fixed
     titles = impression_names.titles(solution.clusters, scales, {})

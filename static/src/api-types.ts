@@ -1510,6 +1510,59 @@ export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
         /**
+         * AnalysisChoices
+         * @description What a researcher chose in the analysis of a part.
+         *
+         *     Attributes:
+         *         least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above. The defaults
+         *             are for answers from −2 to 2 and grow with the reach of others.
+         *         clusters: into how many Ward's tree is cut.
+         *         names: of the clusters, by the id of the pair that stands first in each.
+         *         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
+         * @example {
+         *       "clusters": 4,
+         *       "least_peak": 1,
+         *       "most_spread": 0.85,
+         *       "moved": {
+         *         "tight_free": "calm_excited"
+         *       },
+         *       "names": {
+         *         "small_large": "size"
+         *       }
+         *     }
+         */
+        AnalysisChoices: {
+            /**
+             * Least Peak
+             * @default 1
+             */
+            least_peak: number;
+            /**
+             * Most Spread
+             * @default 0.85
+             */
+            most_spread: number;
+            /**
+             * Clusters
+             * @default 4
+             */
+            clusters: number;
+            /**
+             * Names
+             * @default {}
+             */
+            names: {
+                [key: string]: string;
+            };
+            /**
+             * Moved
+             * @default {}
+             */
+            moved: {
+                [key: string]: string;
+            };
+        };
+        /**
          * Answer
          * @description The answer to one step, as the page sends it; a page without a question sends none.
          *
@@ -1783,56 +1836,22 @@ export interface components {
         };
         /**
          * Choices
-         * @description What a researcher chose in the analysis of a part.
-         *
-         *     Attributes:
-         *         least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above. The defaults
-         *             are for answers from −2 to 2 and grow with the reach of others.
-         *         clusters: into how many Ward's tree is cut.
-         *         names: of the clusters, by the id of the pair that stands first in each.
-         *         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
-         * @example {
-         *       "clusters": 4,
-         *       "least_peak": 1,
-         *       "most_spread": 0.85,
-         *       "moved": {
-         *         "tight_free": "calm_excited"
-         *       },
-         *       "names": {
-         *         "small_large": "size"
-         *       }
-         *     }
+         * @description What was chosen; of `correct`, how often the choice was right. `chance`: by guessing.
          */
-        "Choices-Input": {
+        Choices: {
             /**
-             * Least Peak
-             * @default 1
+             * Id
+             * @enum {string}
              */
-            least_peak: number;
-            /**
-             * Most Spread
-             * @default 0.85
-             */
-            most_spread: number;
-            /**
-             * Clusters
-             * @default 4
-             */
-            clusters: number;
-            /**
-             * Names
-             * @default {}
-             */
-            names: {
-                [key: string]: string;
-            };
-            /**
-             * Moved
-             * @default {}
-             */
-            moved: {
-                [key: string]: string;
-            };
+            id: "choice" | "correct";
+            /** Title */
+            title: string;
+            /** Chance */
+            chance: number | null;
+            /** Rows */
+            rows: components["schemas"]["Share"][];
+            /** Sentence */
+            sentence: string;
         };
         /**
          * Clip
@@ -2852,7 +2871,7 @@ export interface components {
             participants: number;
             /** Simulated */
             simulated: number;
-            choices: components["schemas"]["app__schemas__impressions__Choices"];
+            choices: components["schemas"]["AnalysisChoices"];
             /** Saved At */
             saved_at: string | null;
             /** Clips */
@@ -5069,7 +5088,7 @@ export interface components {
             /** Axes */
             axes: components["schemas"]["Axis"][];
             /** Choices */
-            choices: components["schemas"]["app__schemas__results__Choices"][];
+            choices: components["schemas"]["Choices"][];
             /** Poles */
             poles: components["schemas"]["PoleRow"][];
             matching: components["schemas"]["Matching"] | null;
@@ -5427,78 +5446,6 @@ export interface components {
          */
         Words: string | {
             [key: string]: string;
-        };
-        /**
-         * Choices
-         * @description What a researcher chose in the analysis of a part.
-         *
-         *     Attributes:
-         *         least_peak, most_spread: a pair is dropped if its μ* is below or its σ̄ above. The defaults
-         *             are for answers from −2 to 2 and grow with the reach of others.
-         *         clusters: into how many Ward's tree is cut.
-         *         names: of the clusters, by the id of the pair that stands first in each.
-         *         moved: pair to a pair that the tree put into the cluster that it was moved into by hand.
-         * @example {
-         *       "clusters": 4,
-         *       "least_peak": 1,
-         *       "most_spread": 0.85,
-         *       "moved": {
-         *         "tight_free": "calm_excited"
-         *       },
-         *       "names": {
-         *         "small_large": "size"
-         *       }
-         *     }
-         */
-        app__schemas__impressions__Choices: {
-            /**
-             * Least Peak
-             * @default 1
-             */
-            least_peak: number;
-            /**
-             * Most Spread
-             * @default 0.85
-             */
-            most_spread: number;
-            /**
-             * Clusters
-             * @default 4
-             */
-            clusters: number;
-            /**
-             * Names
-             * @default {}
-             */
-            names: {
-                [key: string]: string;
-            };
-            /**
-             * Moved
-             * @default {}
-             */
-            moved: {
-                [key: string]: string;
-            };
-        };
-        /**
-         * Choices
-         * @description What was chosen; of `correct`, how often the choice was right. `chance`: by guessing.
-         */
-        app__schemas__results__Choices: {
-            /**
-             * Id
-             * @enum {string}
-             */
-            id: "choice" | "correct";
-            /** Title */
-            title: string;
-            /** Chance */
-            chance: number | null;
-            /** Rows */
-            rows: components["schemas"]["Share"][];
-            /** Sentence */
-            sentence: string;
         };
     };
     responses: never;
@@ -9731,7 +9678,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["Choices-Input"];
+                "application/json": components["schemas"]["AnalysisChoices"];
             };
         };
         responses: {

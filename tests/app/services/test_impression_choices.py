@@ -7,7 +7,7 @@ from sqlalchemy.orm import Session
 
 from app.errors import InvalidError, NotFoundError
 from app.persistence.models import Researcher
-from app.schemas.impressions import Choices, Impressions
+from app.schemas.impressions import AnalysisChoices, Impressions
 from app.services import audit, impression_choices, impressions, rights
 from app.services.impressions import Live
 from tests.support import rated_pairs
@@ -32,7 +32,7 @@ def access(db: Session) -> rights.Access:
 @pytest.fixture
 def choose(db, access):
     def save(**choices) -> Impressions:
-        return impression_choices.save(db, access, PART, Choices(**THREE | choices))
+        return impression_choices.save(db, access, PART, AnalysisChoices(**THREE | choices))
 
     return save
 
@@ -172,4 +172,4 @@ def test_two_clusters_cannot_have_one_name(choose):
 
 def test_a_part_that_is_not_there_is_said_to_be_missing(db, access):
     with pytest.raises(NotFoundError, match="no part “nowhere”"):
-        impression_choices.save(db, access, "nowhere", Choices())
+        impression_choices.save(db, access, "nowhere", AnalysisChoices())

@@ -7,7 +7,7 @@ import pytest
 
 from app.errors import NotFoundError
 from app.persistence.models import Researcher
-from app.schemas.impressions import Choices
+from app.schemas.impressions import AnalysisChoices
 from app.services import impression_choices, impression_comparison, rights
 from tests.support import rated_pairs
 
@@ -33,7 +33,7 @@ def put(db, rosa):
         rights.make_owner(db, rated_pairs.rated(db, asked, ratings), rosa)
         db.commit()
         access = rights.access(db, slug, rosa, "edit")
-        impression_choices.save(db, access, PART, Choices(clusters=3))
+        impression_choices.save(db, access, PART, AnalysisChoices(clusters=3))
         return access
 
     return study

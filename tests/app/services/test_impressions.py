@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 from app.errors import NotFoundError
 from app.persistence.models import Researcher, Response, StudySession
-from app.schemas.impressions import Choices
+from app.schemas.impressions import AnalysisChoices
 from app.services import impressions, participants, rights
 from app.services.impression_solution import solve
 from app.services.impressions import Live
@@ -189,7 +189,7 @@ def test_an_unrated_clip_stays_out_of_the_tree_and_is_named(db, ratings):
     assert "1 clip without an answer on every kept pair is left out" in " ".join(found.notes)
     others = np.delete(given, 4, axis=1)
     ids = [pair.id for pair in found.pairs]
-    alone = solve(quantify(others), ids, Choices(), 2)
+    alone = solve(quantify(others), ids, AnalysisChoices(), 2)
     assert [one.members for one in found.clusters] == alone.clusters
 
 
