@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 _SAME = 1e-10  # examples no farther apart than this are one point
 # Of the usual distance to the nearest example: a direction in which all examples together spread
 # less than this is left to the radial part, or the linear part would be steep along it.
-_FLAT = 0.25
+_FLAT = 0.35
 _WIDEST, _NARROWEST, _STEPS = 2.0, 1.0, 5  # reach of a radial basis, in nearest distances
 _CALM = 2.0  # the greatest sum of a basis' coefficients, up to which its reach is taken
 

@@ -35,6 +35,8 @@ HARD = {
     "on a line": LINE,
     "nearly on a line": LINE + RANDOM.normal(0, 1e-3, LINE.shape),
     "nearly on a plane": np.hstack([RANDOM.uniform(size=(27, 2)), 0.5 + LINE[:, :2] / 50]),
+    "one parameter hardly varies": 0.5 + (TEN - 0.5) * [1.0, 0.5, 0.1, 0.02],
+    "every other one near another": np.vstack([TEN, TEN + RANDOM.normal(0, 0.003, TEN.shape)]),
     "a constant parameter": np.hstack([TEN, np.full((10, 1), 0.3)]),
     "all parameters constant": np.full((5, 3), 0.5),
     "twice the same": np.vstack([TEN, TEN]),
