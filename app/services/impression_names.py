@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from app.schemas.study import Language, Scale, Words
 from app.services.impression_solution import Solution, shared_labels
@@ -103,7 +102,7 @@ def _defaults(clusters: Clusters, pairs: Mapping[str, Scale]) -> list[Words | No
 
     Of the paper's two motion sets the one whose clusters are more alike decides.
     """
-    if not QUESTIONNAIRE.issuperset(pairs):
+    if not clusters or not QUESTIONNAIRE.issuperset(pairs):
         return [None] * len(clusters)
     _, found = max(
         (_overlapping(clusters, table) for table in CLUSTERS.values()),
@@ -116,6 +115,8 @@ def _overlapping(
     clusters: Clusters, table: Mapping[str, Sequence[str]]
 ) -> tuple[float, list[Words | None]]:
     """How well clusters and a table agree, and which title goes to which cluster."""
+    from scipy.optimize import linear_sum_assignment  # slow to import, as in `ward`
+
     ours = [set(members) for members in clusters]
     jaccard = np.array(
         [[len(own & set(theirs)) / len(own | set(theirs)) for theirs in table.values()]

@@ -75,3 +75,7 @@ def test_words_stand_in_every_language_that_either_has():
         "en": "sad – happy", "ja": "悲しい – happy", "fi": "sad – iloinen",
     }  # fmt: skip
     assert between(Scale.model_validate({"id": "p", "left": "l", "right": "r"})).root == "l – r"
+
+
+def test_without_clusters_there_are_no_titles():
+    assert titles([], PAIRS, {}) == []
