@@ -77,6 +77,12 @@ export class ClipLibrary extends LitElement {
     this.clips = [clip, ...others];
   }
 
+  /** A clip of the drawer was kept, or another was made of it, without leaving the report. */
+  private follow({ detail }: CustomEvent<Clip>): void {
+    if (this.open?.result?.clip.id === detail.id) this.open.result = { ...this.open.result, clip: detail };
+    this.replace(detail);
+  }
+
   private done(item: ImportItem): void {
     this.queue.remove(item);
     this.show(this.queue.items.find(({ state }) => state === "imported" || state === "failed"));
@@ -223,6 +229,7 @@ export class ClipLibrary extends LitElement {
       keep: () => void this.keep(item),
       discard: () => void this.discard(item),
       leaveOut: () => this.done(item),
+      follow: (event) => this.follow(event),
       close: () => this.show(undefined),
       change: (on) => (this.correcting = on),
       correct: (corrections) => void this.correct(item, corrections),

@@ -4,8 +4,9 @@ import { icon } from "../icons";
 import { correctionsForm, type Corrections } from "./corrections";
 import { failure } from "./failure";
 import type { ImportItem } from "./imports";
-import { counted, type Imported } from "./model";
+import { counted, type Clip, type Imported } from "./model";
 import * as report from "./report";
+import "./clip_body";
 import "./measured_figure";
 
 export interface DrawerActs {
@@ -15,6 +16,7 @@ export interface DrawerActs {
   keep(): void;
   discard(): void;
   leaveOut(): void;
+  follow(event: CustomEvent<Clip>): void;
   close(): void;
   change(on: boolean): void;
   correct(corrections: Corrections): void;
@@ -23,7 +25,7 @@ export interface DrawerActs {
 
 export function drawer(item: ImportItem, acts: DrawerActs): TemplateResult {
   const escape = (event: KeyboardEvent) => event.key === "Escape" && acts.close();
-  return html`<aside class="drawer" aria-label="Import report" @keydown=${escape}>
+  return html`<aside class="drawer" aria-label="Import report" @keydown=${escape} @kept=${acts.follow} @made=${acts.follow}>
     ${item.result ? imported(item, item.result, acts) : failure(item, acts.retry, acts.leaveOut)}
   </aside>`;
 }
@@ -40,6 +42,7 @@ function imported(item: ImportItem, result: Imported, acts: DrawerActs): Templat
       ${result.report.questions.length || acts.correcting || !open
         ? nothing
         : html`<p><button class="link-button" @click=${() => acts.change(true)}>Correct unit, axis or roles</button></p>`}
+      ${acts.correcting || !result.clip.figure_url ? nothing : html`<clip-body clip-id=${result.clip.id}></clip-body>`}
     </div>
     <footer>
       ${acts.others ? html`<p class="tiny">${counted(acts.others, "more file")} to look at</p>` : nothing}

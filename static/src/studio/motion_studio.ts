@@ -8,7 +8,7 @@ import { CompareKey } from "./compare_key";
 import { dropDraft } from "./draft";
 import { movementPanel, type NamedPose, type Offers } from "./movement_panel";
 import type { ClipPicker } from "./picker";
-import type { Steps } from "./recipe";
+import { RETARGET, type Steps } from "./recipe";
 import { resultPanel, type ResultActs } from "./result_panel";
 import * as server from "./server";
 import { asApiError, Session } from "./session";
@@ -80,9 +80,10 @@ export class MotionStudio extends LitElement {
     this.clips = clips;
   }
 
-  /** Open a clip: a source as it is, an edited one as the recipe that made it. */
+  /** Open a clip: a source as it is, an edited one as the recipe that made it. On another body it is a source. */
   private async open(id: string): Promise<void> {
     const opened = await server.clipOf(id);
+    if (opened.provenance?.recipe.some(({ operation }) => operation === RETARGET)) opened.provenance = null;
     const source = opened.provenance ? await server.clipOf(opened.provenance.source) : opened;
     const sameStage = this.session?.source.id === source.id;
     this.session = new Session(source, opened, (glb, at) => this.put(glb, at), () => this.requestUpdate());

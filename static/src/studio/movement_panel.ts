@@ -7,6 +7,7 @@ import { inWords, startingParameters } from "./form_model";
 import { inReach } from "./pad_model";
 import {
   allBands, bandsOf, BANDS, extrasOf, GRID, gridOf, insert, NEUTRAL_POINT, POSTURE, postureOf, put, replaceAt,
+  RETARGET,
   withBands, withGrid, withPosture, type GridPoint,
 } from "./recipe";
 import { schemaForm } from "./schema_form";
@@ -114,7 +115,7 @@ function bands(session: Session): TemplateResult {
 
 function more(session: Session, { operations, clips }: Offers): TemplateResult {
   const extras = extrasOf(session.steps);
-  const offered = operations.filter(({ name }) => ![GRID, POSTURE, BANDS].includes(name));
+  const offered = operations.filter(({ name }) => ![GRID, POSTURE, BANDS, RETARGET].includes(name));
   const add = ({ name, parameters }: Operation) =>
     session.change(insert(session.steps, { operation: name, parameters: startingParameters(parameters, session.source.id) }), `add ${name}`);
   return html`<details ?open=${extras.length > 0 || noChange}><summary><h2>More</h2><span class="tiny">tempo, limbs, contacts …</span></summary>
@@ -130,5 +131,6 @@ function more(session: Session, { operations, clips }: Offers): TemplateResult {
     })}
     <div class="chips" role="group" aria-label="Add">${offered.map(
       (operation) => html`<button class="chip" type="button" title=${operation.summary} @click=${() => add(operation)}>${icon("plus")}${operation.title}</button>`,
-    )}</div></details>`;
+    )}</div>
+    <p class="hint">Another body has another figure: <a href="/library/${session.source.id}#body">put the motion onto it first</a>, then edit it there.</p></details>`;
 }

@@ -26,6 +26,8 @@ export interface Band {
 export const GRID = "grid@1";
 export const POSTURE = "posture@1";
 export const BANDS = "bands@1";
+/** Puts the motion onto another body, on which the stage's figure cannot stand. */
+export const RETARGET = "retarget@1";
 export const NEUTRAL_POINT: GridPoint = { path: 1, timing: 1 };
 
 /** What a recipe without such a step is given where it belongs: first what moves, then when, then feet. */
