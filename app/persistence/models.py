@@ -211,7 +211,7 @@ class SpaceRecord(Base):
 
 
 class ImpressionChoices(Base):
-    """What was chosen in the analysis of a study's part (`app.schemas.impressions.AnalysisChoices`)."""
+    """What was chosen in a part's analysis: `app.schemas.impressions.AnalysisChoices`."""
 
     __tablename__ = "impression_choices"
 

@@ -5,7 +5,14 @@ from __future__ import annotations
 from sqlalchemy import delete, func, select
 from sqlalchemy.orm import Session
 
-from app.persistence.models import AuditEntry, Study, StudyMember, StudySession, StudyVersion
+from app.persistence.models import (
+    AuditEntry,
+    ImpressionChoices,
+    Study,
+    StudyMember,
+    StudySession,
+    StudyVersion,
+)
 
 
 def versions(session: Session, study: Study) -> list[StudyVersion]:
@@ -46,7 +53,7 @@ def begun(session: Session, study: Study) -> dict[int, int]:
 
 def drop(session: Session, study: Study) -> None:
     """Delete a study with its members, versions and history; nobody may have begun it."""
-    for kind in (StudyMember, AuditEntry, StudyVersion):
+    for kind in (StudyMember, AuditEntry, StudyVersion, ImpressionChoices):
         session.execute(delete(kind).where(kind.study_id == study.id))
     session.delete(study)
     session.flush()
