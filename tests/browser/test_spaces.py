@@ -236,9 +236,13 @@ def test_a_space_is_made_of_clips_and_another_one_joins_it(space: Page, server: 
     expect(feel(page).get_by_role("button", name="Adjectives")).to_have_count(0)
     page.get_by_role("button", name="Add a clip to the space").click()
     picker = page.get_by_role("dialog", name="Choose a clip")
-    picker.get_by_label("Search").fill("set_b_misery_slow")
-    picker.get_by_role("button", name="set_b_misery_slow").click()
-    page.get_by_role("button", name="Join as version 2").click(timeout=PATIENCE)
+    picker.get_by_label("Search").fill("walk")
+    picker.locator(".clip-name").get_by_text("walk", exact=True).click()
+    join = page.get_by_role("button", name="Join as version 2")
+    expect(join).to_be_disabled()  # the others are one cycle each
+    page.get_by_role("button", name="Make a copy that fits").click(timeout=PATIENCE)
+    expect(page.get_by_role("dialog", name="walk fitted")).to_be_visible(timeout=PATIENCE)
+    join.click(timeout=PATIENCE)
     expect(page.get_by_text("in Three walks, version 2")).to_be_visible(timeout=PATIENCE)
     expect(mix(page).get_by_role("slider")).to_have_count(4)
 
@@ -256,6 +260,16 @@ def test_without_a_connection_the_last_motion_stays_and_the_newest_place_follows
     page.get_by_role("button", name="Try now").click()
     settled(page)
     assert duration(page) != lasted
+
+
+def test_a_reload_comes_back_to_where_one_stood(space: Page):
+    page = space
+    press(page, page.get_by_role("slider", name="largeness"), "Home", 1)
+    before = weights(page)
+    page.reload()
+    expect(page.get_by_role("slider", name="largeness")).to_have_value("0")
+    settled(page)
+    assert weights(page) == before
 
 
 @pytest.mark.parametrize("mode", ["light", "dark"])

@@ -5,7 +5,9 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import type { ApiError } from "../api";
 import { problemNote } from "../graph/problem";
 import type { Clip } from "../studio/server";
+import * as studio from "../studio/server";
 import { asApiError } from "../studio/session";
+import { fitted, fittingSteps, fittingWords } from "./fitting";
 import * as server from "./server";
 import { wordsIn } from "./words";
 
@@ -16,6 +18,8 @@ export class JoinDialog extends LitElement {
   /** What the space becomes: “version 2”. */
   @property() next = "";
   @state() private clip: Clip | null = null;
+  @state() private busy = false;
+  private like: Clip | null = null;
   @state() private prediction: server.Prediction | null = null;
   @state() private problem: ApiError | null = null;
   @query("dialog") private dialog!: HTMLDialogElement | null;
@@ -24,15 +28,40 @@ export class JoinDialog extends LitElement {
     return this;
   }
 
-  async show(clip: Clip): Promise<void> {
+  /** `like`: an example of the space. */
+  async show(clip: Clip, like: Clip): Promise<void> {
     this.clip = clip;
-    this.prediction = this.problem = null;
+    this.like = like;
     await this.updateComplete;
     this.dialog?.showModal();
+    await this.predict(clip);
+  }
+
+  private async predict(clip: Clip): Promise<void> {
+    this.prediction = this.problem = null;
+    await this.attempt(async () => {
+      const prediction = await server.prediction(this.space, clip.id);
+      if (clip === this.clip) this.prediction = prediction;
+    });
+  }
+
+  /** Go on with a copy that fits. */
+  private async fit(clip: Clip, like: Clip): Promise<void> {
+    await this.attempt(async () => {
+      this.clip = await fitted(clip, like, (await studio.clips()).map(({ name }) => name));
+    });
+    if (this.clip !== clip) await this.predict(this.clip!);
+  }
+
+  private async attempt(act: () => Promise<void>): Promise<void> {
+    this.busy = true;
     try {
-      this.prediction = await server.prediction(this.space, clip.id);
+      this.problem = null;
+      await act();
     } catch (error) {
       this.problem = asApiError(error);
+    } finally {
+      this.busy = false;
     }
   }
 
@@ -52,10 +81,19 @@ export class JoinDialog extends LitElement {
     return html`<dialog class="space-dialog join-dialog" aria-labelledby="join-heading" @close=${() => (this.clip = null)}>
       <header><h2 class="figure-title" id="join-heading">${clip.name}</h2>
         <button class="button quiet" type="button" @click=${() => this.close()}>Close</button></header>
-      ${prediction ? this.table(prediction) : problem ? nothing : html`<p class="quiet" role="status">Its motion is being measured.</p>`}
+      ${prediction?.can_join === false ? this.misfit(clip, prediction) : prediction ? this.table(prediction) : problem ? nothing : html`<p class="quiet" role="status">Its motion is being measured.</p>`}
       ${problem ? problemNote(problem) : nothing}
       <footer><p class="tiny">Nobody rated this clip: its place is predicted from its motion.</p>
-        <button class="button primary" type="button" ?disabled=${!prediction?.can_join} @click=${join}>Join as ${this.next}</button></footer></dialog>`;
+        <button class="button primary" type="button" ?disabled=${!prediction?.can_join || this.busy} @click=${join}>Join as ${this.next}</button></footer></dialog>`;
+  }
+
+  private misfit(clip: Clip, { sentence }: server.Prediction): TemplateResult {
+    const { like, busy } = this;
+    const steps = like ? fittingSteps(clip, like) : [];
+    return html`<p>${sentence}</p>${like && steps.length
+      ? html`<p><button class="button" type="button" ?disabled=${busy} @click=${() => void this.fit(clip, like)}>${busy ? "Being made" : "Make a copy that fits"}</button>
+          <span class="tiny">${fittingWords(steps)}, kept in the library</span></p>`
+      : nothing}`;
   }
 
   private table({ sentence, parameters }: server.Prediction): TemplateResult {

@@ -1,13 +1,11 @@
 // <motion-space>: authors a motion by how it feels. Left the sliders, right the mix of examples, below when.
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { keyed } from "lit/directives/keyed.js";
 import type { ApiError } from "../api";
 import type { ExportActs, Suffix } from "../studio/export_panel";
 import type { ClipPicker } from "../studio/picker";
 import * as studio from "../studio/server";
 import { asApiError } from "../studio/session";
-import { note, unreachable } from "../studio/stage_view";
 import type { MotionViewer } from "../viewer";
 import { language } from "../words";
 import { feelPanel, type FeelActs } from "./feel_panel";
@@ -21,6 +19,7 @@ import {
 import type { Chosen, PairChooser } from "./pair_chooser";
 import * as server from "./server";
 import { SpaceSession } from "./session";
+import { stage } from "./stage";
 import { spaceBar, type Drawer } from "./space_bar";
 import { weightsPanel, type WeightActs } from "./weights_panel";
 import { languagesOf } from "./words";
@@ -41,6 +40,8 @@ export class MotionSpace extends LitElement {
   @state() private drawer: Drawer | null = null;
   @state() private busy = false;
   @state() private said = "";
+  /** What was made of the space, in words. */
+  @state() private told = "";
   @state() private language = language();
   @state() private axes: Axes | null = null;
   @state() private clips: studio.Clip[] = [];
@@ -78,9 +79,9 @@ export class MotionSpace extends LitElement {
     return this.attempt(async () => this.open(await server.space(this.wanted)));
   }
 
-  private open(space: server.Space): void {
+  private open(space: server.Space, from?: Place): void {
     this.wanted = space.id;
-    this.session = new SpaceSession(space, (glb, at) => this.put(glb, at), () => this.requestUpdate());
+    this.session = new SpaceSession(space, (glb, at) => this.put(glb, at), () => this.requestUpdate(), from);
     const spoken = this.languages;
     if (spoken.length && !spoken.includes(this.language)) this.language = spoken[0]!;
     history.replaceState(null, "", `/studio/spaces/${space.id}`);
@@ -237,31 +238,29 @@ export class MotionSpace extends LitElement {
         this.viewer?.seek(time);
       },
       find: () => void this.attempt(async () => session.setKeytimes(index, await server.keytimes(clip), "find")),
-      save: () => void this.attempt(() => this.renew({ keytimes: session.changedKeytimes ?? {} })),
+      save: () => void this.attempt(() => this.renew()),
     };
   }
 
-  /** The space's next version takes this one's place on the page; what was made of the sliders stays. */
-  private async renew(change: Parameters<typeof server.version>[1]): Promise<void> {
-    const { place, name } = this.session!;
-    this.open(await server.version(this.wanted, change));
-    const { space, history } = this.session!;
+  /** The space's next version takes this one's place on the page: it stands where this one stood, moved events are in it. */
+  private async renew(join: string[] = []): Promise<void> {
+    const { place: { before: _, ...place }, name, changedKeytimes } = this.session!;
+    const space = await server.version(this.wanted, { join, keytimes: changedKeytimes ?? {} });
     const weights = Object.fromEntries(space.definition.examples.map(({ clip }) => [clip, place.weights[clip] ?? 0]));
-    history.set({ ...history.present, place: { ...place, weights } }, "version");
+    this.open(space, { ...place, weights });
     this.session!.name = name;
-    this.said = `Version ${space.number} is made`;
+    this.told = `Version ${space.number} is made.`;
   }
 
   private async chooseClip(): Promise<void> {
     await this.attempt(async () => {
-      const there = new Set(this.session!.space.definition.examples.map(({ clip }) => clip));
-      this.clips = (await studio.clips()).filter(({ id }) => !there.has(id));
+      this.clips = await studio.clips();
     });
     if (!this.failure) this.picker.show();
   }
 
   private async join(clip: string): Promise<void> {
-    await this.attempt(() => this.renew({ join: [clip] }));
+    await this.attempt(() => this.renew([clip]));
     if (!this.failure) return this.joining.close();
     this.joining.refuse(this.failure);
     this.failure = null;
@@ -286,10 +285,16 @@ export class MotionSpace extends LitElement {
       <div class="studio space ${drawer ? `with-${drawer}` : ""}">
         <aside class="side movement" aria-label="How it feels" @pointerdown=${note} @pointermove=${note} @keydown=${note} @input=${note}>
           ${session ? feelPanel(session, { language: this.language, languages: this.languages, map: this.map(session) }, this.feelActs) : nothing}</aside>
-        ${this.stage(session)}
+        ${stage(session, this.failure, {
+          ready: () => this.onReady(),
+          motion: () => this.onMotion(),
+          goTo: (index) => this.goTo(index),
+          again: () => void this.begin(),
+          dismiss: () => (this.failure = null),
+        })}
         ${session ? this.strip(session) : nothing}
         <aside class="side results" aria-label="The mix" @pointerdown=${note} @pointermove=${note} @keydown=${note} @input=${note}>
-          ${session ? weightsPanel(session, { said: this.said, busy }, this.weightActs) : nothing}</aside>
+          ${session ? weightsPanel(session, { said: this.said, told: this.told, busy }, this.weightActs) : nothing}</aside>
       </div>
       ${session ? this.dialogs(session) : nothing}`;
   }
@@ -305,48 +310,19 @@ export class MotionSpace extends LitElement {
     });
   }
 
-  private stage(session: SpaceSession | null): TemplateResult {
-    return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session ? !session.isShown : !this.failure}>
-      ${session ? this.figure(session.space) : nothing}
-      ${session && session.looking !== null ? this.looked(session, session.looking) : nothing}
-      <div class="stage-notes">${this.notes(session)}</div></section>`;
-  }
-
-  /** Another skeleton is another stage. */
-  private figure({ id, name, clips }: server.Space): TemplateResult {
-    const [first] = clips;
-    return html`${keyed(id, html`<motion-viewer theme="auto" controls="views" arrange="one" autoplay loop="on" label=${name}
-      @ready=${() => this.onReady()} @motion=${() => this.onMotion()}>
-      <motion-figure src=${first!.glb_url} figure=${first!.figure_url ?? nothing} as="clay"></motion-figure></motion-viewer>`)}`;
-  }
-
-  private looked(session: SpaceSession, index: number): TemplateResult {
-    return html`<div class="looked" role="group" aria-label="Example"><p role="status"><span class="tiny">Example</span> <b>${session.space.clips[index]!.name}</b></p>
-      <button class="button" type="button" @click=${() => this.goTo(index)}>Go there</button>
-      <button class="button" type="button" @click=${() => session.look(null)}>Back to the mix</button></div>`;
-  }
-
-  private notes(session: SpaceSession | null): TemplateResult | typeof nothing {
-    if (session?.problem?.transient) return unreachable(() => session.retry());
-    if (session?.problem) {
-      const { message, mend } = session.problem;
-      return note(message, mend, html`<button class="link-button" type="button" @click=${() => session.undo()}>Undo the change</button>`);
-    }
-    if (!this.failure) return nothing;
-    const [words, act] = session ? ["All right", () => (this.failure = null)] as const : ["Load the space again", () => void this.begin()] as const;
-    return note(this.failure.message, this.failure.mend, html`<button class="link-button" type="button" @click=${act}>${words}</button>`);
-  }
-
   private strip(session: SpaceSession): TemplateResult {
     return html`<section class="studio-strip" aria-label="When"><time-strip .viewer=${this.stageViewer}
-      .contacts=${mixedContacts(session)} .findings=${null}></time-strip>
+      .contacts=${mixedContacts(session)} .findings=${session.findings}></time-strip>
       ${session.looking === null ? nothing : keytimePanel(session, session.looking, this.busy, this.keytimeActs(session, session.looking))}</section>`;
   }
 
   private dialogs(session: SpaceSession): TemplateResult {
-    const joined = ({ detail }: CustomEvent<string>) => void this.joining.show(this.clips.find(({ id }) => id === detail)!);
+    const { examples } = session.space.definition;
+    const there = new Set(examples.map(({ clip }) => clip));
+    const clip = (wanted: string) => this.clips.find(({ id }) => id === wanted)!;
+    const joined = ({ detail }: CustomEvent<string>) => void this.joining.show(clip(detail), clip(examples[0]!.clip));
     return html`${this.pairs(session)}
-      <clip-picker .clips=${this.clips} @pick=${joined}></clip-picker>
+      <clip-picker .clips=${this.clips.filter(({ id }) => !there.has(id))} @pick=${joined}></clip-picker>
       <join-dialog space=${session.space.id} language=${this.language} next=${session.nextVersion} @join=${({ detail }: CustomEvent<string>) => void this.join(detail)}></join-dialog>`;
   }
 

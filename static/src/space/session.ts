@@ -1,22 +1,19 @@
 // One space being authored in: where one stands, what was before, the motion on the stage, what is saved.
 import { api, type ApiError } from "../api";
+import type { Finding } from "../studio/checks";
 import { History } from "../studio/history";
-import { Latest } from "../studio/latest";
+import { debounced, Latest } from "../studio/latest";
 import { freeName } from "../studio/names";
 import { same } from "../studio/recipe";
 import type { Edited } from "../studio/server";
 import * as studio from "../studio/server";
 import { asApiError, type Show } from "../studio/session";
+import { findState, keepState, type State } from "./draft";
 import { nameOf, pointOf, start, type Place } from "./model";
 import * as server from "./server";
 
-/** What undo and redo go through: the place, and the events that were moved in examples. */
-export interface State {
-  readonly place: Place;
-  readonly keytimes: Readonly<Record<string, server.Keytimes>>;
-}
-
 const AGAIN_AFTER = 2000;
+const CHECK_AFTER = 500;
 
 export class SpaceSession {
   readonly history: History<State>;
@@ -34,12 +31,18 @@ export class SpaceSession {
   private isReady = false;
   private readonly shows = new Latest<Place>((place) => this.show(place));
   private readonly looks = new Latest<number>((index) => this.showExample(index));
+  private readonly checks = new Latest<Place>((place) => this.check(place));
+  private readonly checkSoon: (place: Place) => void = debounced(
+    (place) => (this.history.isHeld ? this.checkSoon(place) : this.checks.ask(place)), CHECK_AFTER,
+  );
+  private checked: { place: Place; findings: Finding[] } | null = null;
   private readonly files = new Map<string, ArrayBuffer>();
 
-  constructor(readonly space: server.Space, private readonly stage: Show, private readonly changed: () => void) {
-    const place = start(space);
-    this.history = new History<State>({ place, keytimes: {} });
-    this.weights = Object.values(place.weights);
+  /** `from`: where to begin; without it where one stood last, or in the middle. */
+  constructor(readonly space: server.Space, private readonly stage: Show, private readonly changed: () => void, from?: Place) {
+    const state = from ? { place: from, keytimes: {} } : (findState(space) ?? { place: start(space), keytimes: {} });
+    this.history = new History<State>(state);
+    this.weights = Object.values(state.place.weights);
   }
 
   get place(): Place {
@@ -101,6 +104,7 @@ export class SpaceSession {
     const { clip } = this.space.definition.examples[index]!;
     const { place, keytimes: others } = this.history.present;
     this.history.set({ place, keytimes: { ...others, [clip]: keytimes } }, control);
+    keepState(this.space.id, this.history.present);
     this.changed();
   }
 
@@ -109,6 +113,11 @@ export class SpaceSession {
     const known = new Map(this.space.definition.examples.map(({ clip, keytimes }) => [clip, keytimes]));
     const changed = Object.entries(this.history.present.keytimes).filter(([clip, keytimes]) => !same(keytimes, known.get(clip)));
     return changed.length ? Object.fromEntries(changed) : null;
+  }
+
+  /** What the checks found in the mix on the stage; null as long as that is not known. */
+  get findings(): Finding[] | null {
+    return this.looking === null && this.checked?.place === this.place ? this.checked.findings : null;
   }
 
   /** What this space becomes when it is changed. */
@@ -145,6 +154,7 @@ export class SpaceSession {
   }
 
   private refresh(again = false): void {
+    keepState(this.space.id, this.history.present);
     if (this.place.by === "weights") this.weights = Object.values(this.place.weights);
     if (this.isReady && (again || !this.isShown)) this.shows.ask(this.place);
     this.changed();
@@ -160,9 +170,22 @@ export class SpaceSession {
       this.outside = outside;
       this.shown = place;
       this.problem = null;
+      this.checkSoon(place);
     } catch (error) {
       this.problem = asApiError(error);
       if (this.problem.transient) setTimeout(() => this.retry(), AGAIN_AFTER);
+    }
+    this.changed();
+  }
+
+  /** Of a mix that is gone already, or that could not be checked, nothing is said. */
+  private async check(place: Place): Promise<void> {
+    if (place !== this.place) return;
+    try {
+      const { report } = await studio.check(await this.recipe());
+      this.checked = { place, findings: report.findings };
+    } catch {
+      this.checked = null;
     }
     this.changed();
   }

@@ -8,6 +8,7 @@ import type { ClipPicker } from "../studio/picker";
 import type { Clip } from "../studio/server";
 import * as studio from "../studio/server";
 import { asApiError } from "../studio/session";
+import { fitted, fittingSteps, fittingWords } from "./fitting";
 import * as server from "./server";
 import { lineWords } from "./list_words";
 import "../studio/picker";
@@ -68,6 +69,39 @@ export class SpaceList extends LitElement {
     }
   }
 
+  /** Copies that fit the first take the places of those that do not. */
+  private async fit(): Promise<void> {
+    this.making = true;
+    this.refused = null;
+    try {
+      const [first, ...others] = this.chosenClips;
+      for (const clip of others) {
+        const copy = await fitted(clip, first!, this.clips.map(({ name }) => name));
+        if (copy === clip) continue;
+        this.clips = [...this.clips, copy];
+        this.chosen = this.chosen.map((id) => (id === clip.id ? copy.id : id));
+      }
+    } catch (error) {
+      this.refused = asApiError(error);
+    }
+    this.making = false;
+  }
+
+  private get chosenClips(): Clip[] {
+    return this.chosen.flatMap((id) => this.clips.filter((clip) => clip.id === id));
+  }
+
+  /** The way on where the chosen ones do not fit each other. */
+  private misfits(): TemplateResult | typeof nothing {
+    const [first, ...others] = this.chosenClips;
+    const steps = others.map((clip) => fittingSteps(clip, first!)).filter(({ length }) => length);
+    if (!steps.length) return nothing;
+    const words = steps.reduce((longest, one) => (one.length > longest.length ? one : longest));
+    return html`<div class="note">${icon("info")}<div><p>${steps.length} of them ${steps.length === 1 ? "does" : "do"} not fit ${first!.name}.</p>
+      <p><button class="link-button" type="button" ?disabled=${this.making} @click=${() => void this.fit()}>Use copies that fit</button>
+        <span class="tiny">${fittingWords(words)}</span></p></div></div>`;
+  }
+
   protected override render(): TemplateResult {
     const { spaces, problem } = this;
     return html`<header class="page-header"><h1>Spaces</h1><div class="buttons">
@@ -110,7 +144,7 @@ export class SpaceList extends LitElement {
         ${chosen.length ? html`<ul class="chosen-clips" aria-labelledby="chosen-title" tabindex="0">${chosen.map((id) => html`<li><span>${named.get(id) ?? id}</span>
           <button class="link-button" type="button" aria-label="Leave out ${named.get(id)}" @click=${() => (this.chosen = chosen.filter((one) => one !== id))}>Leave out</button></li>`)}</ul>` : nothing}
         <button class="button" type="button" @click=${() => this.picker.show()}>${icon("plus")}Choose clips</button></div>
-      ${refused ? problemNote(refused) : nothing}
+      ${refused ? problemNote(refused) : nothing}${this.misfits()}
       <footer><p class="tiny" role="status">${chosen.length} chosen, ${LEAST} to ${MOST} make a space.</p>
         <button class="button primary" type="submit" ?disabled=${!fits || making}>${making ? "Being made" : "Make the space"}</button></footer>
     </form></dialog>`;

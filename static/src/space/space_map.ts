@@ -8,8 +8,8 @@ const WIDTH = 272;
 const HEIGHT = 170;
 const MARGIN = 16;
 const REACH = 11;
-/** Below this a weight draws no thread. */
-const THREAD = 0.05;
+/** From this weight on an example is drawn as used. */
+const USED = 0.05;
 
 const across = (x: number): number => MARGIN + x * (WIDTH - 2 * MARGIN);
 const down = (y: number): number => HEIGHT - MARGIN - y * (HEIGHT - 2 * MARGIN);
@@ -32,16 +32,22 @@ export class SpaceMap extends LitElement {
   protected override render(): TemplateResult {
     const { examples, spot } = this;
     const at = drawn(spot);
+    // Above those that are not in use: examples often lie on each other.
+    const used = examples.filter(({ weight }) => weight >= USED);
     const corners = hull(examples).map(drawn).map(({ x, y }) => `${x} ${y}`);
     const [first, second] = this.axes;
     return html`<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label="Map of the examples" @pointerdown=${this.take} @pointermove=${this.move}
       @pointerup=${this.leave} @pointercancel=${this.leave} @pointerleave=${() => (this.named = null)}>
       ${corners.length > 2 ? svg`<path class="hull" d="M${corners.join("L")}Z"></path>` : nothing}
-      ${examples.filter(({ weight }) => weight >= THREAD).map((example) => {
+      ${used.map((example) => {
         const end = drawn(example);
         return svg`<path class="thread" d="M${at.x} ${at.y}L${end.x} ${end.y}"></path>`;
       })}
       ${examples.map((example, index) => this.example(example, index))}
+      ${used.map((example) => {
+        const { x, y } = drawn(example);
+        return svg`<circle class="used" cx=${x} cy=${y} r=${3 + 6 * Math.sqrt(example.weight)}></circle>`;
+      })}
       <g class="mix" role="slider" tabindex="0" aria-label="The mix" aria-valuemin="0" aria-valuemax="1" aria-valuenow=${spot.x}
         aria-valuetext="${first} ${spot.x.toFixed(2)}, ${second} ${spot.y.toFixed(2)}" @keydown=${this.key}>
         <circle class="ring" cx=${at.x} cy=${at.y} r="15"></circle>
@@ -52,11 +58,10 @@ export class SpaceMap extends LitElement {
 
   private example(example: Example, index: number): SVGTemplateResult {
     const { x, y } = drawn(example);
-    const used = example.weight >= THREAD;
     return svg`<g class="example" role="button" tabindex=${index === this.current ? 0 : -1} aria-label="Go to ${example.name}"
       @focus=${() => (this.named = index)} @blur=${() => (this.named = null)} @keydown=${(event: KeyboardEvent) => this.walk(event, index)}>
       <circle class="ring" cx=${x} cy=${y} r="11"></circle>
-      <circle class=${used ? "motion used" : "motion"} cx=${x} cy=${y} r=${used ? 3.5 + 5 * Math.sqrt(example.weight) : 4}></circle></g>`;
+      <circle class="motion" cx=${x} cy=${y} r="4"></circle></g>`;
   }
 
   /** The name of the example that is pointed at or focused; it stays within the picture. */

@@ -14,7 +14,10 @@ export interface WeightActs extends ExportActs {
 }
 
 export interface WeightState {
+  /** What was copied. */
   said: string;
+  /** What was made of the space. */
+  told: string;
   busy: boolean;
 }
 
@@ -22,7 +25,7 @@ export interface WeightState {
 const NONE = 0.005;
 
 export function weightsPanel(session: SpaceSession, state: WeightState, acts: WeightActs): TemplateResult {
-  return html`${blend(session, acts)} ${facts(session, acts)} ${exportPanel(state, acts)}`;
+  return html`${blend(session, acts)} ${facts(session, state.told, acts)} ${exportPanel(state, acts)}`;
 }
 
 function blend(session: SpaceSession, acts: WeightActs): TemplateResult {
@@ -52,12 +55,13 @@ function row({ clip, name, predicted, index, weight, looked }: Row, { weigh, loo
       @input=${read} ${filled({ min: 0, max: 1, neutral: 0, value: weight })}></li>`;
 }
 
-function facts({ outside, space, place }: SpaceSession, { join }: WeightActs): TemplateResult {
+function facts({ outside, space, place }: SpaceSession, told: string, { join }: WeightActs): TemplateResult {
   const notes = (space.notes as Record<string, string[] | undefined>)[place.by] ?? [];
   return html`<section class="space-facts">
     <p class="outside" role="status">${outside > NONE
       ? html`${icon("info")}<span><b>${outside.toFixed(2)} outside</b> what the examples span. The figure stays a mix of them.</span>`
       : nothing}</p>
     ${notes.map((words) => html`<p class="tiny">${words}</p>`)}
-    <button class="link-button" type="button" @click=${join}>${icon("plus")}Add a clip to the space</button></section>`;
+    <button class="link-button" type="button" @click=${join}>${icon("plus")}Add a clip to the space</button>
+    <p class="tiny told" role="status">${told}</p></section>`;
 }
