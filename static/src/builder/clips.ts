@@ -19,6 +19,7 @@ export function shownOf(stimulus: Json | undefined, clips: readonly Clip[]): Sho
   const reference = textOf(stimulus) || textOf(at(stimulus, ["clip"])) || textOf(at(made, ["source"]));
   const clip = clips.find(({ id, name }) => id === reference || name === reference);
   const called = textOf(at(stimulus, ["name"])) || clip?.name || reference.slice(0, 40);
+  if (at(made, ["space"])) return { clip, name: called || "a motion of the space" };
   const how = textOf(at(made, ["preset"])).replaceAll("_", " ") || "edited";
   return { clip, name: made && !at(stimulus, ["clip"]) ? `${called} · ${how}` : called };
 }

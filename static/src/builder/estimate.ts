@@ -5,6 +5,7 @@ const WATCHING = 6; // seconds before the first answer to a clip
 const A_LINE = 3.2; // seconds for a step on a scale
 const READING = 0.35; // seconds a word
 const A_FIELD = 7;
+const A_GUESS = 20;
 
 /** Whole minutes, one at least. */
 export function minutes(study: Json): number {
@@ -55,9 +56,18 @@ function secondsATrial(part: Obj): number {
       return WATCHING + 5;
     case "free_text":
       return WATCHING + 20;
+    case "match":
+      return secondsATarget(task);
     default:
       return WATCHING + lines * A_LINE;
   }
+}
+
+/** With every interface: a guess, and a match that takes half its time. */
+function secondsATarget(task: Json | undefined): number {
+  const interfaces = listOf(at(task, ["interfaces"])).length || 3;
+  const guess = at(task, ["guess_first"]) === false ? 0 : A_GUESS;
+  return interfaces * (guess + Number(at(task, ["seconds"]) ?? 300) / 2);
 }
 
 /** The words of all texts in a value, in one of their languages. */

@@ -32,6 +32,11 @@ export type Field = Common &
     | { type: "groups" }
     | { type: "blocks" }
     | { type: "languages" }
+    /** Some of a few, in their order. */
+    | { type: "several"; options: readonly [value: string, label: string][] }
+    | { type: "space" }
+    /** Stimuli drawn in the task's space: how many at first, by which seed, and what they are called. */
+    | { type: "targets"; count: number; seed: number; word: string }
   );
 
 export interface Kind {
@@ -141,11 +146,30 @@ export const TASKS: Record<string, Kind> = {
     fields: [...question, { type: "switch", at: "task.required", label: "An answer is needed", start: true }],
     blank: { kind: "free_text", question: "How would you describe this movement?", required: true },
   },
+  match: {
+    title: "Match a motion", about: "A target, made again with the sliders of a space",
+    fields: [
+      ...question,
+      { type: "space", at: "task.space", label: "Authoring space" },
+      { type: "several", at: "task.interfaces", label: "Made with", options: [["weights", "Weights of the examples"], ["adjectives", "Adjectives"], ["features", "Motion features"]] },
+      { type: "number", at: "task.seconds", label: "Time for each", start: 300, min: 5, max: 3600, unit: "s", hint: "In seconds. After that a target is given up." },
+      { type: "number", at: "task.threshold", label: "Alike below", start: 0.06, min: 0.001, max: 1, step: "any", unit: "m", hint: "In metres: how far the joints are from the target’s on average." },
+      { type: "switch", at: "task.guess_first", label: "Guess first, without seeing the motion", start: true },
+      { type: "switch", at: "task.examples", label: "All examples can be looked at", start: true },
+      { type: "targets", at: "task.practice_targets", label: "Targets for practice", count: 3, seed: 2, word: "Practice", optional: true },
+      { type: "targets", at: "stimuli", label: "Targets", count: 5, seed: 1, word: "Target" },
+      comment,
+    ],
+    blank: { kind: "match", question: "Make the blue figure move like the green one.", space: "" },
+  },
 };
 
 /** Those that show several figures at once. */
 export const OF_MANY: readonly string[] = ["choose", "ab", "abx", "parallel", "ranking"];
-const isOfMany = (part: Obj): boolean => OF_MANY.includes(String((part["task"] as Obj | undefined)?.["kind"]));
+const kindOf = (part: Obj): string => String((part["task"] as Obj | undefined)?.["kind"]);
+const isOfMany = (part: Obj): boolean => OF_MANY.includes(kindOf(part));
+/** Matching has practice targets of its own, and no answer that a check could tell. */
+const isJudging = (part: Obj): boolean => kindOf(part) !== "match";
 
 /** What trials of every kind have below their question. */
 export const CLIPS: readonly Field[] = [
@@ -154,12 +178,12 @@ export const CLIPS: readonly Field[] = [
     type: "choice", at: "order", label: "Order",
     options: [["shuffle", "Shuffled for each participant"], ["latin_square", "Balanced Latin square"], ["fixed", "As listed"]],
   },
-  { type: "number", at: "practice", label: "Clips first as practice, not analysed", start: 0, min: 0 },
+  { type: "number", at: "practice", label: "Clips first as practice, not analysed", start: 0, min: 0, when: isJudging },
   { type: "number", at: "subset", label: "Clips that each participant sees", min: 1, optional: true, hint: "Empty: all of them." },
   { type: "sets", at: "sets", label: "Which stand together", optional: true, when: isOfMany },
   { type: "choice", at: "block_by", label: "Keep together", optional: true, options: [["", "Nothing"], ["body", "Clips of one body"], ["style", "Clips of one style"]] },
   { type: "number", at: "break_every", label: "Trials until a pause is offered", min: 1, optional: true, hint: "Empty: no pause." },
-  { type: "checks", at: "checks", label: "Attention checks" },
+  { type: "checks", at: "checks", label: "Attention checks", when: isJudging },
 ];
 
 /** What every part has. */

@@ -8,6 +8,7 @@ import { clipField, clipsField } from "./clips";
 import type { Field } from "./fields";
 import { at, isObj, languagesOf, LANGUAGES, listOf, objOf, partsOf, problemsAt, said, textOf, wordsIn, wordsWith, type Json, type Language, type Path, type Problem } from "./model";
 import { sortable } from "./sortable";
+import { spaceField, targetsField } from "./spaces";
 
 /** What the forms work on, and how they change it. */
 export interface Editing {
@@ -87,6 +88,16 @@ const DRAW: { [T in Field["type"]]: Draw<T> } = {
   clip: clipField,
   clips: clipsField,
   checks: checksField,
+  space: spaceField,
+  targets: targetsField,
+  several: (field, path, value, editing) => {
+    const ids = field.options.map(([id]) => id);
+    const chosen = value === undefined ? ids : listOf(value).map(textOf);
+    const toggle = (id: string) => editing.set(path, ids.filter((one) => (one === id) !== chosen.includes(one)));
+    return html`<fieldset class="field" id=${idOf(path)} tabindex="-1"><legend class="label">${field.label}</legend><div class="chips">
+      ${field.options.map(([id, label]) => html`<button class="chip" type="button" aria-pressed=${chosen.includes(id)} ?disabled=${chosen.length === 1 && chosen[0] === id} @click=${() => toggle(id)}>${label}</button>`)}
+      </div>${notes(field, path, editing)}</fieldset>`;
+  },
   sets: (field, path, value, editing) => {
     const lines = listOf(value).map((set) => listOf(set).join(", ")).join("\n");
     const change = (event: Event) => {

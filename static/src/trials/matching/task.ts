@@ -203,6 +203,6 @@ export class MatchingTask extends LitElement {
     };
     return html`<div class="match-tools">
       ${figures.length ? html`<matching-examples .figures=${figures}></matching-examples>` : nothing}
-      ${seen ? html`<button class="button quiet" type="button" aria-pressed=${this.beside} @click=${turn}>${t("Side by side")}</button>` : nothing}</div>`;
+      ${seen ? html`<button class="button" type="button" aria-pressed=${this.beside} @click=${turn}>${t("Side by side")}</button>` : nothing}</div>`;
   }
 }
