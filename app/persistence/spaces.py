@@ -36,6 +36,13 @@ def by_id(db: Session, space_id: str) -> Space | None:
     return Space._make(row) if row else None
 
 
+def newest_named(db: Session, name: str) -> Space | None:
+    """The newest space of a name."""
+    query = _spaces().where(SpaceRecord.name == name).order_by(SpaceRecord.number.desc()).limit(1)
+    row = db.execute(query).first()
+    return Space._make(row) if row else None
+
+
 def add(db: Session, record: SpaceRecord) -> None:
     """Store a new space as the next one of its name."""
     query = select(func.max(SpaceRecord.number)).where(SpaceRecord.name == record.name)

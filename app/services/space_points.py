@@ -45,17 +45,22 @@ class Recent(Generic[K, V]):
         with self._gate:
             slot = self._slots.setdefault(key, _Slot())
             self._slots.move_to_end(key)
-            while len(self._slots) > self._most:
-                self._slots.popitem(last=False)
         with slot.gate:
             if not slot.made:
                 try:
                     slot.made.append(make())
                 except BaseException:
-                    with self._gate:  # what is not there shall push out nothing that is
+                    with self._gate:
                         self._slots.pop(key, None)
                     raise
+                self._push_out()
         return slot.made[0]
+
+    def _push_out(self) -> None:
+        """Forget what was not asked for longest; only now, as what cannot be made takes no room."""
+        with self._gate:
+            while len(self._slots) > self._most:
+                self._slots.popitem(last=False)
 
 
 class _Slot(Generic[V]):

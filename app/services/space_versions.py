@@ -5,7 +5,13 @@ from __future__ import annotations
 from app.errors import InvalidError
 from app.persistence.engine import Database
 from app.persistence.writer import Writer
-from app.schemas.spaces import NewVersion, Prediction, SpaceDefinition, SpaceDetail
+from app.schemas.spaces import (
+    MOST_EXAMPLES,
+    NewVersion,
+    Prediction,
+    SpaceDefinition,
+    SpaceDetail,
+)
 from app.services import spaces
 from app.workers import Workers
 
@@ -61,7 +67,7 @@ def _members(before: SpaceDefinition, request: NewVersion) -> list[str]:
     """The next version's clips.
 
     Raises:
-        InvalidError: nothing changes, or a clip is there already.
+        InvalidError: nothing changes, there are too many clips, or one is there already.
     """
     now = {example.clip: example for example in before.examples}
     for clip_id in request.join:
@@ -73,6 +79,13 @@ def _members(before: SpaceDefinition, request: NewVersion) -> list[str]:
                 mend="Join other clips only.",
             )
     clip_ids = [*now, *request.join]
+    if len(clip_ids) > MOST_EXAMPLES:
+        raise InvalidError(
+            f"With these the space has {len(clip_ids)} clips; it takes {MOST_EXAMPLES} at most.",
+            code="space_too_large",
+            where={"field": "join"},
+            mend=f"Join {MOST_EXAMPLES - len(now)} clips at most.",
+        )
     spaces.check_once(clip_ids)
     spaces.check_keytimes(request.keytimes, clip_ids)
     edited = [

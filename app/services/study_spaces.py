@@ -18,11 +18,7 @@ from app.services.study_text import Path, short
 
 def find(db: Session, reference: str) -> Space | None:
     """The space with this id, or the newest one of this name."""
-    known = spaces.by_id(db, reference)
-    if known is not None:
-        return known
-    named = (one for one in spaces.listed(db) if one.record.name == reference)
-    return max(named, key=lambda one: one.record.number, default=None)
+    return spaces.by_id(db, reference) or spaces.newest_named(db, reference)
 
 
 def problems(db: Session, task: Match, path: Path) -> Iterator[Problem]:

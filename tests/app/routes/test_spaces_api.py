@@ -248,6 +248,14 @@ def test_a_new_version_holds_other_keytimes_and_leaves_the_old_one(author: Resea
     assert refusal(author.post(url, json=same)) == (422, "nothing_changes")
 
 
+def test_no_more_clips_join_than_a_space_takes(author: Researching) -> None:
+    space = made(author)
+    others = [f"{number:064x}" for number in range(62)]
+    response = author.post(f"{SPACES}/{space['id']}/versions", json={"join": others})
+    assert refusal(response) == (422, "space_too_large")
+    assert response.json()["error"]["mend"] == "Join 61 clips at most."
+
+
 def test_a_clip_of_a_space_cannot_be_deleted(author: Researching) -> None:
     first = walks(author)[0]["id"]
     tempo = [{"operation": "tempo@1", "parameters": {"factor": 1.1}}]

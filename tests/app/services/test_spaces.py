@@ -331,6 +331,9 @@ def test_the_last_ones_are_kept_and_what_cannot_be_made_pushes_out_none() -> Non
         get(key)
     with pytest.raises(KeyError):
         kept.get("c", fail)
+    get("b")
+    get("a")
+    assert made == ["a", "b"]
     get("d")  # pushes out b, which nobody asked for longest
     get("a")
     get("b")
