@@ -7,8 +7,9 @@ from functools import partial
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Response
+from fastapi.concurrency import run_in_threadpool
 
-from app.dependencies import CurrentWriter, Reading
+from app.dependencies import CurrentDatabase, CurrentWriter, Reading
 from app.schemas.errors import ErrorResponse
 from app.schemas.sessions import Answer, AnswerReceipt, Completion, Moved, SessionView
 from app.services import answers, matching, session_views, sessions
@@ -42,9 +43,15 @@ def show_session(token: str, db: Reading) -> SessionView:
     },
 )
 async def record_response(
-    token: str, answer: Answer, writer: CurrentWriter, response: Response
+    token: str,
+    answer: Answer,
+    database: CurrentDatabase,
+    writer: CurrentWriter,
+    response: Response,
 ) -> AnswerReceipt:
     """Store one answer. Acknowledged only once it is on the disk; safe to send again."""
+    if matching.is_match(answer.answers):
+        await run_in_threadpool(matching.prepare, database, token, answer.trial_index)
     job = partial(answers.record, token=token, answer=answer)
     receipt, new = await wrap_future(writer.submit(job))
     response.status_code = 201 if new else 200

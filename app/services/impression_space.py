@@ -24,7 +24,7 @@ from app.schemas.spaces import (
     SpaceLine,
 )
 from app.schemas.study import Scale
-from app.services import audit, impressions, spaces
+from app.services import audit, impressions, matching, spaces
 from app.services import impression_sentences as sentences
 from app.services.impression_names import Called
 from app.services.impression_solution import Solution
@@ -156,8 +156,11 @@ def _check_size(clips: list[str], solution: Solution) -> None:
 
 
 def _ids(titles: Iterable[Called], taken: Iterable[str]) -> list[str]:
-    """An id for each cluster, made of its title's letters and unlike every pair's."""
-    used = set(taken)
+    """An id for each cluster, made of its title's letters and unlike every pair's.
+
+    Nor is it what an answer to a match has beside its sliders, or one of both would be lost.
+    """
+    used = {*taken, *matching.BESIDE_SLIDERS}
     found = []
     for number, called in enumerate(titles, 1):
         plain = unicodedata.normalize("NFKD", str(called.title)).encode("ascii", "ignore").decode()

@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError
 from app.persistence import clips, studies
+from app.persistence.engine import Database
 from app.persistence.studies import Media
 from app.schemas.spaces import START, Point, Primary, Sliders, SpaceDefinition
 from app.schemas.study import Interface, Language, Match, StudyDefinition, Trials
@@ -23,6 +24,8 @@ if TYPE_CHECKING:  # they bring SciPy, for which the server's start shall not wa
 
 SHOWN_WORDS = 3  # of a cluster's pairs, at the ends of its slider
 MEASURED = ("interface", "seen", "distance", "solved")
+SECONDS = "seconds"
+BESIDE_SLIDERS = (SECONDS, *MEASURED)  # in a stored answer
 TARGETS_KEPT = 64
 
 
@@ -87,11 +90,33 @@ def made_in(
             mend="Reload the page.",
         )
     space = _space(db, task)
-    weighed = space.weights(point_of(space, step["interface"], values))
+    weighed = space.weights(point_of(space.definition, step["interface"], values))
     created = space.clip(weighed.weights)
     distance = _distance(db, step, created)
     glb = _glb(created)
     return Made(glb, weighed.weights, weighed.outside, distance, distance < task.threshold)
+
+
+def is_match(answers: Mapping[str, Any]) -> bool:
+    """Whether an answer, as sent, may be one to a match; a few others look the same."""
+    return SECONDS in answers
+
+
+def prepare(database: Database, token: str, index: int) -> None:
+    """Have the space of a step ready, if it matches a target.
+
+    Reading 27 clips takes half a second, which the writer would take from everybody else's answers,
+    so whoever hands it an answer to a match does this first.
+
+    Raises:
+        NotFoundError: no such session.
+    """
+    with database.reading() as db:
+        session = open_session(db, token)
+        step = dict(enumerate(planned_steps(session.plan))).get(index, {})
+        task = task_of(definition_of(session.version), step)
+        if task is not None and session.state == "active":
+            _space(db, task)
 
 
 def measured(db: Session, task: Match, step: Step, answers: Mapping[str, Any]) -> dict[str, Any]:
@@ -101,10 +126,10 @@ def measured(db: Session, task: Match, step: Step, answers: Mapping[str, Any]) -
         InvalidError: the space has no such slider.
     """
     space = _space(db, task)
-    values = {name: value for name, value in answers.items() if name != "seconds"}
-    weights = space.weights(point_of(space, step["interface"], values)).weights
+    values = {name: value for name, value in answers.items() if name != SECONDS}
+    weights = space.weights(point_of(space.definition, step["interface"], values)).weights
     distance = _distance(db, step, space.clip(weights))
-    in_time = not step["seen"] or answers["seconds"] <= task.seconds
+    in_time = not step["seen"] or answers[SECONDS] <= task.seconds
     return {
         **answers,
         "interface": step["interface"],
@@ -127,21 +152,39 @@ def task_of(definition: StudyDefinition, step: Step) -> Match | None:
     return part.task if isinstance(part, Trials) and isinstance(part.task, Match) else None
 
 
-def point_of(space: Prepared, interface: Interface, values: Mapping[str, float]) -> Point:
-    """Sliders as a point of the space; bare weights are called `e0`, `e1`, … on the page.
+def point_of(
+    definition: SpaceDefinition, interface: Interface, values: Mapping[str, float]
+) -> Point:
+    """The page's sliders as a point of the space; bare weights are called `e0`, `e1`, … there.
 
     Raises:
-        InvalidError: a slider of that name is not there, or none is given.
+        InvalidError: the page has no such slider, or has others that are not given: fewer would
+            span another space than the one that is shown.
     """
-    if not values:
-        raise InvalidError("No slider is given.", mend="Reload the page.")
-    if interface != "weights":
-        return Point(interface=interface, values=dict(values))
-    ids = {f"e{number}": one.clip for number, one in enumerate(space.definition.examples)}
+    ids = _sliders_of(definition, interface)
+    strange = [name for name in values if name not in ids]
+    absent = [name for name in ids if name not in values and interface != "weights"]
+    if strange or absent or not values:
+        what = f"no slider “{strange[0][:60]}”" if strange else "sliders that are not given"
+        raise InvalidError(
+            f"This trial has {what}.",
+            code="answer_invalid",
+            where={"sliders": (strange or absent)[:5]},
+            mend="Reload the page.",
+        )
     # All at the bottom: as good a place as any, and nobody is told off for having been there.
-    given = values if any(values.values()) else dict.fromkeys(ids, 1.0)
-    named = {ids.get(name, name): value for name, value in given.items()}
-    return Point(interface=interface, values=named)
+    given = values if any(values.values()) or interface != "weights" else dict.fromkeys(ids, 1.0)
+    return Point(interface=interface, values={ids[name]: value for name, value in given.items()})
+
+
+def _sliders_of(definition: SpaceDefinition, interface: Interface) -> dict[str, str]:
+    """What the page calls each slider of an interface, and what the space calls it."""
+    sliders = definition.sliders(interface)
+    if sliders is not None:
+        return {one.id: one.id for one in sliders.primary}
+    if interface == "weights":
+        return {f"e{number}": one.clip for number, one in enumerate(definition.examples)}
+    return {}
 
 
 def page(db: Session, task: Match, language: Language) -> dict[str, Any]:
@@ -175,10 +218,8 @@ def _sliders(
 ) -> list[dict[str, str]]:
     sliders = definition.sliders(interface)
     if sliders is None:
-        number = len(definition.examples) if interface == "weights" else 0
-        return [
-            {"id": f"e{n}", "title": str(n + 1), "left": "", "right": ""} for n in range(number)
-        ]
+        bare = enumerate(_sliders_of(definition, interface), start=1)
+        return [{"id": name, "title": str(n), "left": "", "right": ""} for n, name in bare]
     return [_slider(sliders, one, language) for one in sliders.primary]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import threading
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from app.schemas.spaces import SpaceDefinition
 from app.schemas.study import StudyDefinition
 from app.services import effects, sessions, space_motion
 from app.services.sessions import Beginning
+from app.services.space_points import Recent
 from motion.blending.distance import matching_distance
 from motion.storage import clip_from_bytes
 from tests.app.conftest import Researching
@@ -138,6 +140,30 @@ def test_a_target_is_made_in_the_space_guessed_seen_and_measured(
     assert rows[2].record["path"] == [[10.0, "e0", 0.4], [200.5, "e0", 0.7]]
 
 
+def test_the_writer_reads_no_space(
+    signed_in: Researching,
+    space: dict[str, Any],
+    database: Database,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It would keep everybody else's answers waiting."""
+    study = study_of(space, interfaces=["weights"])
+    token = begun(database, published(signed_in, study), study)
+    readers: list[str] = []
+    prepared = space_motion.Prepared.of
+
+    def of(*given: Any) -> space_motion.Prepared:
+        readers.append(threading.current_thread().name)
+        return prepared(*given)
+
+    monkeypatch.setattr(space_motion, "_prepared", Recent(1))  # as after a restart
+    monkeypatch.setattr(space_motion.Prepared, "of", of)
+    body = answer(0, {"e0": 1.0, "e1": 0.0, "e2": 0.0}, 3.0)
+    assert signed_in.post(f"/api/v1/sessions/{token}/responses", json=body).status_code == 201
+    assert len(readers) == 1
+    assert readers[0] != "writer"
+
+
 def test_too_late_is_not_solved(
     signed_in: Researching, space: dict[str, Any], database: Database
 ) -> None:
@@ -154,7 +180,7 @@ def test_too_late_is_not_solved(
 @pytest.mark.parametrize(
     ("sliders", "fault"),
     [
-        ({"e9": 0.5}, "no example “e9”"),
+        ({"e9": 0.5}, "no slider “e9”"),
         ({"e0": 1.5}, "not within 0 … 1"),
         ({}, "“a slider” is not answered"),
     ],
@@ -172,6 +198,23 @@ def test_what_is_no_position_is_refused(
     refused = signed_in.post(f"/api/v1/sessions/{token}/responses", json=body)
     assert refused.status_code == 422
     assert fault in refused.json()["error"]["message"]
+
+
+@pytest.mark.parametrize("what", ["some", "others"])
+def test_a_match_is_made_by_all_sliders_of_the_page_and_no_others(
+    signed_in: Researching, space: dict[str, Any], database: Database, what: str
+) -> None:
+    study = study_of(space, guess_first=False, interfaces=["features"])
+    token = begun(database, published(signed_in, study), study)
+    sliders = space["definition"]["features"]
+    primary, single = ([one["id"] for one in sliders[of]] for of in ("primary", "parameters"))
+    given = dict.fromkeys(primary[:2] if what == "some" else [*primary, single[0]], 0.5)
+    at = f"/api/v1/sessions/{token}"
+    for refused in (
+        signed_in.post(f"{at}/steps/0/motion", json={"values": given}),
+        signed_in.post(f"{at}/responses", json=answer(0, given, 3.0)),
+    ):
+        assert (refused.status_code, refused.json()["error"]["code"]) == (422, "answer_invalid")
 
 
 def test_all_weights_at_the_bottom_are_the_mean_of_the_examples(
