@@ -20,7 +20,7 @@ from app.i18n import SOURCE
 from app.pages import render
 from app.schemas.study import Language
 from app.security import CONTENT_POLICY
-from app.services import drafts
+from app.services import drafts, studies
 
 router = APIRouter(prefix="/research", include_in_schema=False)
 
@@ -87,6 +87,7 @@ def _page(
     return render(
         request, f"research/{name}.html", headers=headers, study=drafts.view(db, access),
         role=access.role, home=_home(request), section="studies",
+        adjectives=studies.asks_pairs(db, access.slug),
     )  # fmt: skip
 
 

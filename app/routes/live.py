@@ -45,6 +45,7 @@ from app.services import (
     person_export,
     replay,
     rights,
+    studies,
     summaries,
 )
 
@@ -72,7 +73,7 @@ def show_live(
     return render(
         request, "research/live.html", view=view, study=view, role=access.role, page=page,
         charts=live_charts.page_charts(view), trail=audit.trail(db, access.study_id),
-        section="studies",
+        section="studies", adjectives=studies.asks_pairs(db, access.slug),
     )  # fmt: skip
 
 
@@ -110,6 +111,7 @@ def show_session(
     return render(
         request, "research/session.html", detail=detail, role=access.role, section="studies",
         study={"slug": access.slug, "title": detail.study},
+        adjectives=studies.asks_pairs(db, access.slug),
     )  # fmt: skip
 
 

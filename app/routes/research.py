@@ -57,6 +57,7 @@ def show_results(
     return render(
         request, "research/results.html", results=found, counts=found.counts, study=found,
         charts=charts.page_charts(found), role=access.role, section="results",
+        adjectives=studies.asks_pairs(db, slug),
     )  # fmt: skip
 
 

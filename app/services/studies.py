@@ -11,7 +11,7 @@ from app.errors import NotFoundError
 from app.i18n import best
 from app.persistence import studies as store
 from app.persistence.models import ClipRecord, Study, StudyVersion, now
-from app.schemas.study import Language, Running, Stimulus, StudyDefinition
+from app.schemas.study import Language, Running, SemanticDifferential, Stimulus, StudyDefinition
 from app.services.admission import Closed, closed_for
 from app.services.recruiting import Arrival
 from app.studies import emotion
@@ -77,6 +77,15 @@ def definition_of(version: StudyVersion) -> StudyDefinition:
         known = StudyDefinition.model_validate(version.definition)
         _DEFINITIONS[version.definition_hash] = known
     return known
+
+
+def asks_pairs(db: Session, slug: str) -> bool:
+    """Whether the newest version asks for pairs of opposite words, at least two in one part."""
+    version = store.newest_version(db, find(db, slug))
+    return version is not None and any(
+        isinstance(part.task, SemanticDifferential) and len(part.task.scales) > 1
+        for part in definition_of(version).trials
+    )
 
 
 def definition_by_hash(db: Session, version_id: int, definition_hash: str) -> StudyDefinition:
