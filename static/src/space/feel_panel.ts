@@ -47,7 +47,7 @@ function sliders(session: SpaceSession, by: Kind, language: string, acts: FeelAc
   const all = new Map(slidersOf(session.space, by, language).map((slider) => [slider.id, slider]));
   const shown = Object.entries(session.place[by]).flatMap(([id, value]) => {
     const slider = all.get(id);
-    return slider ? [wordsOf(slider, value)] : [];
+    return slider ? [{ ...wordsOf(slider, value), lang: language }] : [];
   });
   // Something has to span the space.
   const loose = (id: string) => !all.get(id)?.primary && shown.length > 1;

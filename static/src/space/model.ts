@@ -52,7 +52,7 @@ export function slidersOf(space: Space, kind: Kind, language: string): Slider[] 
   });
   const ends = (members: readonly string[], side: "left" | "right") => {
     const words = members.flatMap((id) => pairs.filter((pair) => pair.id === id).map((pair) => pair[side]));
-    return [...new Set(words)].slice(0, POLES).join(", ");
+    return [...new Set(words)].slice(0, POLES).join(language === "ja" ? "、" : ", ");
   };
   const primary = sliders.primary.map(({ id, title, members, values }) => ({
     id, primary: true, title: wordsIn(title, language), about: "", left: ends(members, "left"), right: ends(members, "right"), values, reach: null,

@@ -15,6 +15,8 @@ export interface WordSlider {
   right: string;
   /** 0 at the left end, 1 at the right. */
   value: number;
+  /** Of its words, where that is not the page's own language. */
+  lang?: string | undefined;
   /** The value in words; a number from 0 to 100 where there are none. */
   words?: string | undefined;
 }
@@ -33,15 +35,15 @@ export const wordSliders = (sliders: readonly WordSlider[], acts: SliderActs, lo
   html`<div class="word-sliders">${repeat(sliders, ({ id }) => id, (slider) => wordSlider(slider, acts, loose(slider.id)))}</div>`;
 
 function wordSlider(slider: WordSlider, acts: SliderActs, loose: boolean): TemplateResult {
-  const { id, title, hint, left, right, value, words } = slider;
+  const { id, title, hint, left, right, value, words, lang = nothing } = slider;
   const name = title ?? t("{left} or {right}", { left, right });
   const said = words ?? t("{value} from {left} to {right}", { value: percent(value), left, right });
   const read = (event: Event) => acts.set(id, (event.target as HTMLInputElement).valueAsNumber);
   return html`<div class="word-slider ${title ? "titled" : ""}" data-slider=${id} title=${hint ?? nothing}>
-    ${title ? html`<p class="word-title" aria-hidden="true">${title}</p>` : nothing}
-    <span class="word-end left" aria-hidden="true">${left}</span>
+    ${title ? html`<p class="word-title" lang=${lang} aria-hidden="true">${title}</p>` : nothing}
+    <span class="word-end left" lang=${lang} aria-hidden="true">${left}</span>
     ${loose ? tools(id, name, acts) : nothing}
-    <span class="word-end right" aria-hidden="true">${right}</span>
+    <span class="word-end right" lang=${lang} aria-hidden="true">${right}</span>
     <input class="filled" type="range" min="0" max="1" step="0.01" .value=${live(String(value))} aria-label=${name} aria-valuetext=${said}
       @input=${read} @dblclick=${() => acts.set(id, HALF.neutral)} ${filled({ ...HALF, value })}>
   </div>`;
