@@ -31,7 +31,7 @@ export function nearness(distance: number, threshold: number): number {
 /** A bar from far to close. @param distance metres, null while nothing is measured. */
 export function closeness(distance: number | null, threshold: number): TemplateResult {
   const share = distance === null ? 0 : nearness(distance, threshold);
-  const centimetres = (metres: number) => (100 * metres).toFixed(1);
+  const centimetres = (metres: number) => Math.round(1000 * metres) / 10;
   const said = distance === null ? t("not measured yet")
     : t("{distance} cm apart, alike below {threshold} cm", { distance: centimetres(distance), threshold: centimetres(threshold) });
   return html`<div class="closeness"><span aria-hidden="true">${t("far")}</span>
