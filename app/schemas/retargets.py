@@ -54,14 +54,14 @@ class Retargeting(BaseModel):
             "example": {
                 "same": False,
                 "fits": True,
-                "sentence": "The motion fits: limbs point where they pointed, within 1.2°; "
-                "standing feet slide at most 4 mm.",
+                "sentence": "The motion fits: limbs point where they pointed within 1.2°, "
+                "standing feet slide by 4 mm at most. One joint of the new body rests: LeftToe.",
                 "mean_direction": 0.004,
                 "greatest_direction": 0.021,
                 "slip": 0.004,
                 "sole_height": 0.001,
                 "unmapped": [],
-                "resting": ["LeftHandIndex1"],
+                "resting": ["LeftToe"],
             }
         }
     )

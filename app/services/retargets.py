@@ -77,10 +77,11 @@ def _sentence(told: dict[str, Any], same: bool, fits: bool) -> str:
     if same:
         return "Both clips move the same skeleton already: nothing has to be put onto it."
     judged = "The motion fits" if fits else "The motion fits loosely"
+    turned = max(0.1, math.degrees(told["greatest_direction"]))  # nothing is exact to the last bit
+    slip = max(1.0, 1000.0 * told["slip"])
     words = (
-        f"{judged}: limbs point where they pointed within "
-        f"{math.degrees(told['greatest_direction']):.1f}°, standing feet slide at most "
-        f"{1000 * told['slip']:.0f} mm."
+        f"{judged}: limbs point where they pointed within {turned:.1f}°, standing feet slide by "
+        f"{slip:.0f} mm at most."
     )
     resting = told["resting"]
     if not resting:

@@ -4392,10 +4392,10 @@ export interface components {
          *       "greatest_direction": 0.021,
          *       "mean_direction": 0.004,
          *       "resting": [
-         *         "LeftHandIndex1"
+         *         "LeftToe"
          *       ],
          *       "same": false,
-         *       "sentence": "The motion fits: limbs point where they pointed, within 1.2°; standing feet slide at most 4 mm.",
+         *       "sentence": "The motion fits: limbs point where they pointed within 1.2°, standing feet slide by 4 mm at most. One joint of the new body rests: LeftToe.",
          *       "slip": 0.004,
          *       "sole_height": 0.001,
          *       "unmapped": []

@@ -33,10 +33,13 @@ test("a clip's own body is not offered, and the one asked for stands first and s
 
 test("the error stands in units that people know", () => {
   expect(lines(clip("mine", "child"), all[0]!, fit)).toEqual([
-    ["Limbs turn", "2.0° at most, 0.3° in the mean"],
-    ["Feet slide", "4.2 mm at most while they stand"],
+    ["Limbs turn", "2.0° at most; mean 0.3°"],
+    ["Feet slide", "4.2 mm while they stand"],
     ["Soles", "12 mm off the floor in the mean"],
     ["Stature", "1.50 m, then 1.74 m"],
     ["At rest", "a, b, c and 2 more"],
   ]);
+  expect(lines(clip("mine", "child"), all[0]!, { ...fit, slip: 3e-6, resting: [] })[1]).toEqual(
+    ["Feet slide", "less than 0.1 mm while they stand"],
+  );
 });

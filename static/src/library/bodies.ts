@@ -37,7 +37,7 @@ export function recipe(clip: Pick<Clip, "duration">, onto: string, cut: Cut): St
 
 /** Who else moves a clip's skeleton, and why that matters. */
 export function sharedBy(clip: Clip, all: readonly Body[]): string {
-  const others = (all.find(({ id }) => id === clip.skeleton_hash)?.clips ?? 1) - (clip.state === "kept" ? 1 : 0);
+  const others = (all.find(({ id }) => id === clip.skeleton_hash)?.clips ?? 0) - (clip.state === "kept" ? 1 : 0);
   const own = others < 1
     ? "This clip moves a skeleton of its own."
     : `${others} other ${others === 1 ? "clip moves" : "clips move"} the same skeleton as this one.`;
@@ -59,8 +59,8 @@ export const bodyWords = ({ clips, example }: Body): string =>
 export function lines(clip: Clip, { example }: Body, fit: Fit): [word: string, value: string][] {
   const { resting } = fit;
   return [
-    ["Limbs turn", `${degrees(fit.greatest_direction)} at most, ${degrees(fit.mean_direction)} in the mean`],
-    ["Feet slide", `${millimetres(fit.slip)} at most while they stand`],
+    ["Limbs turn", `${degrees(fit.greatest_direction)} at most; mean ${degrees(fit.mean_direction)}`],
+    ["Feet slide", `${millimetres(fit.slip)} while they stand`],
     ["Soles", `${millimetres(fit.sole_height)} off the floor in the mean`],
     ["Stature", `${metres(clip.stature)}, then ${metres(example.stature)}`],
     ...(resting.length ? [["At rest", named(resting)] as [string, string]] : []),
@@ -71,5 +71,8 @@ const NAMED = 3;
 const named = (joints: readonly string[]): string =>
   joints.slice(0, NAMED).join(", ") + (joints.length > NAMED ? ` and ${joints.length - NAMED} more` : "");
 const metres = (length: number): string => `${length.toFixed(2)} m`;
-const millimetres = (length: number): string => `${(1000 * length).toFixed(length < 0.01 ? 1 : 0)} mm`;
-const degrees = (angle: number): string => `${((180 / Math.PI) * angle).toFixed(1)}°`;
+const millimetres = (length: number): string => `${least(1000 * length, length < 0.01 ? 1 : 0)} mm`;
+const degrees = (angle: number): string => `${least((180 / Math.PI) * angle, 1)}°`;
+/** A number with so many decimals, but none that would look like nothing at all. */
+const least = (value: number, decimals: number): string =>
+  value > 0 && value < 10 ** -decimals ? `less than ${10 ** -decimals}` : value.toFixed(decimals);

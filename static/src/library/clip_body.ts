@@ -47,6 +47,7 @@ export class ClipBody extends LitElement {
       }
       const asked = onto ? await server.clipOf(onto) : undefined;
       await this.updateComplete;
+      this.querySelector<HTMLElement>("button")?.focus({ preventScroll: true }); // where the dialog returns to
       if (this.clip) this.dialog.show(this.clip, server.others(this.clip, this.bodies, asked));
     } catch (error) {
       this.problem = asApiError(error);

@@ -74,6 +74,7 @@ def test_what_is_told_is_what_the_recipe_makes(author: Researching, database: Da
         assert said[name] == pytest.approx(getattr(expected.error, name), abs=1e-12)
     assert said["same"] is False
     assert f"{math.degrees(said['greatest_direction']):.1f}°" in said["sentence"]
+    assert f"{1000 * max(said['slip'], 0.001):.0f} mm" in said["sentence"]
     recipe = {
         "source": stranger,
         "operations": [{"operation": "retarget@1", "parameters": {"clip": body}}],
@@ -111,8 +112,8 @@ def test_joints_that_nothing_leads_are_named() -> None:
     numbers = {"greatest_direction": math.radians(2.0), "slip": 0.0042}
     one = retargets._sentence({**numbers, "resting": ["LeftToe"]}, same=False, fits=True)
     assert one == (
-        "The motion fits: limbs point where they pointed within 2.0°, standing feet slide at most "
-        "4 mm. One joint of the new body rests: LeftToe."
+        "The motion fits: limbs point where they pointed within 2.0°, standing feet slide by 4 mm "
+        "at most. One joint of the new body rests: LeftToe."
     )
     five = retargets._sentence({**numbers, "resting": list("abcde")}, same=False, fits=False)
     assert "fits loosely" in five
