@@ -15,6 +15,8 @@ export npm_config_cache := $(CACHE)/npm
 export npm_config_update_notifier := false
 export PYTHONDONTWRITEBYTECODE :=
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
+# Two test processes share the processors; threads for each would only wait for each other.
+test test-long: export OPENBLAS_NUM_THREADS := 1
 
 FRONT_END := $(shell find static/src static/scripts -type f -not -name tokens.css 2>/dev/null) \
 	static/vite.config.ts static/tsconfig.json
