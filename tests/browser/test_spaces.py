@@ -156,6 +156,20 @@ def test_a_weight_that_is_moved_leaves_the_others_their_proportions(space: Page)
     scale = (1 - after[index]) / (1 - before[index])
     others = [scale * one for n, one in enumerate(before) if n != index]
     assert [one for n, one in enumerate(after) if n != index] == pytest.approx(others, abs=0.02)
+    box = slider.bounding_box()
+    assert box
+    middle = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + box["width"] * after[index], middle)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] + 30, middle, steps=3)
+    page.mouse.move(box["x"] + box["width"] / 2, middle, steps=3)  # back from 100 %
+    page.mouse.up()
+    settled(page)
+    dragged = weights(page)
+    assert dragged[index] == pytest.approx(0.5, abs=0.05)
+    scale = (1 - dragged[index]) / (1 - before[index])
+    others = [scale * one for n, one in enumerate(before) if n != index]
+    assert [one for n, one in enumerate(dragged) if n != index] == pytest.approx(others, abs=0.02)
 
 
 def test_the_point_on_the_map_is_dragged_and_an_example_is_gone_to(space: Page):

@@ -51,6 +51,8 @@ export class MotionSpace extends LitElement {
   @query("clip-picker") private picker!: ClipPicker;
   @query("join-dialog") private joining!: JoinDialog;
   private shownAt = 0;
+  /** The weights as a drag found them: at 100 % the others' proportions would be lost for the way back. */
+  private gripped: Place | null = null;
   private readonly online = () => {
     if (this.failure?.transient) void this.begin();
     this.session?.retry();
@@ -164,6 +166,7 @@ export class MotionSpace extends LitElement {
     if (!this.session) return;
     this.session.askedAt = event.timeStamp;
     if (event.type === "pointerdown") {
+      this.gripped = null;
       this.session.history.hold();
       addEventListener("pointerup", () => this.session?.history.release(), { once: true });
       addEventListener("pointercancel", () => this.session?.history.release(), { once: true });
@@ -208,9 +211,10 @@ export class MotionSpace extends LitElement {
   private get weightActs(): WeightActs & ExportActs {
     return {
       weigh: (clip, weight) => {
-        const { session } = this;
-        const byWeights = (place: Place) => switched(place, "weights", session!.space, session!.weights);
-        this.move((place) => weighed(byWeights(place), clip, weight), clip);
+        const { place, space, weights, history } = this.session!;
+        const from = this.gripped ?? switched(place, "weights", space, weights);
+        this.gripped = history.isHeld ? from : null;
+        this.move(() => weighed(from, clip, weight), clip);
       },
       look: (index) => this.look(index),
       join: () => void this.chooseClip(),

@@ -8,7 +8,6 @@ export type Space = Schemas["SpaceDetail"];
 export type SpaceLine = Schemas["SpaceLine"];
 export type Sliders = Schemas["Sliders"];
 export type Point = Schemas["Point"];
-export type Weighed = Schemas["Weighed"];
 export type Prediction = Schemas["Prediction"];
 export type Predicted = Schemas["PredictedParameter"];
 export type Keytimes = Record<string, number>;
@@ -43,7 +42,6 @@ export async function recipe(id: string, point: Point): Promise<Edited> {
   return { source, operations: stepsOf(operations as Schemas["Step"][]) };
 }
 
-export const weights = (id: string, point: Point) => api.post<Weighed>(`${at(id)}/weights`, point);
 export const version = (id: string, change: { keytimes?: Record<string, Keytimes>; join?: string[] }) =>
   api.post<Space>(`${at(id)}/versions`, change);
 export const prediction = (id: string, clip: string) => api.get<Prediction>(`${at(id)}/predictions/${clip}`);
