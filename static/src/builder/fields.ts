@@ -168,12 +168,12 @@ export const TASKS: Record<string, Kind> = {
 export const OF_MANY: readonly string[] = ["choose", "ab", "abx", "parallel", "ranking"];
 const kindOf = (part: Obj): string => String((part["task"] as Obj | undefined)?.["kind"]);
 const isOfMany = (part: Obj): boolean => OF_MANY.includes(kindOf(part));
-/** Matching has practice targets of its own, and no answer that a check could tell. */
+/** Matching draws its targets, has some of its own for practice, and no answer that a check could tell. */
 const isJudging = (part: Obj): boolean => kindOf(part) !== "match";
 
 /** What trials of every kind have below their question. */
 export const CLIPS: readonly Field[] = [
-  { type: "clips", at: "stimuli", label: "Clips" },
+  { type: "clips", at: "stimuli", label: "Clips", when: isJudging },
   {
     type: "choice", at: "order", label: "Order",
     options: [["shuffle", "Shuffled for each participant"], ["latin_square", "Balanced Latin square"], ["fixed", "As listed"]],
@@ -299,7 +299,7 @@ export const THANKS: readonly Field[] = [
 export function fieldsOf(part: Obj): readonly Field[] {
   if (part["kind"] !== "trials") return [...(PAGES[String(part["kind"])]?.fields ?? []), ...SHOWN];
   const task = TASKS[String((part["task"] as Obj | undefined)?.["kind"])];
-  return [...(task?.fields ?? []), ...CLIPS, ...SHOWN];
+  return [...(task?.fields ?? []), ...CLIPS.filter(({ when }) => when?.(part) ?? true), ...SHOWN];
 }
 
 /** A name for a new entry of a list that none of the others has. */

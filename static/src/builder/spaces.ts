@@ -4,6 +4,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { api, ApiError } from "../api";
 import type { components } from "../api-types";
 import { icon } from "../icons";
+import { clipsField } from "./clips";
 import type { Field } from "./fields";
 import { idOf, notes, type Editing } from "./form";
 import { at, listOf, textOf, type Json, type Path } from "./model";
@@ -30,13 +31,13 @@ export function spaceField(field: Extract<Field, { type: "space" }>, path: Path,
     <space-choice control=${idOf(path)} value=${textOf(value)} @choose=${choose}></space-choice>${notes(field, path, editing)}</div>`;
 }
 
-/** A list of stimuli that are drawn at random points of the task's space, or taken from the library. */
+/** Stimuli that are drawn at random points of the task's space, or taken from the library. */
 export function targetsField(field: Extract<Field, { type: "targets" }>, path: Path, value: Json | undefined, editing: Editing): TemplateResult {
   const space = textOf(at(editing.study, [...path.slice(0, 2), "task", "space"]));
-  const there = listOf(value).length;
-  return html`<fieldset class="field" id=${idOf(path)} tabindex="-1"><legend class="label">${field.label} <span class="quiet">· ${there}</span></legend>
-    <target-drawer .space=${space} .count=${there || field.count} .seed=${field.seed} .word=${field.word} @draw=${({ detail }: CustomEvent<Json>) => editing.set(path, detail)}></target-drawer>
-    ${notes(field, path, editing)}</fieldset>`;
+  const { count, seed, word } = field;
+  const drawn = ({ detail }: CustomEvent<Json>) => editing.set(path, detail);
+  return html`${clipsField({ ...field, type: "clips" }, path, value, editing)}
+    <target-drawer .space=${space} .count=${listOf(value).length || count} .seed=${seed} .word=${word} @draw=${drawn}></target-drawer>`;
 }
 
 const saidOf = (error: unknown): string => {
