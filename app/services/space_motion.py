@@ -43,7 +43,12 @@ class Prepared(Points):
         examples = definition.examples
         missing = [example.name for example in examples if example.clip not in contents]
         if missing:
-            raise InvalidError(f"The clip “{missing[0]}” of this space is missing.")
+            raise InvalidError(
+                f"The clip “{missing[0]}” of this space is missing.",
+                code="clip_missing",
+                where={"field": "clips", "name": missing[0]},
+                mend="Restore it from a backup of the server, or make the space without it.",
+            )
         sources = [Source(one.clip, one.name, contents[one.clip]) for one in examples]
         with told():
             return cls(definition, Blender(read(sources), [one.keytimes for one in examples]))

@@ -78,7 +78,7 @@ def _closed(clip: Clip, first: int, last: int) -> Clip:
 
 def roll_cycle(clip: Clip, frame: int) -> Clip:
     """The same cycle, begun at another of its frames, where its first frame was."""
-    frame %= clip.frames - 1
+    frame %= max(clip.frames - 1, 1)
     if frame == 0:
         return clip
     root, rotations = frames_of(clip, frame, frame + clip.frames)

@@ -96,6 +96,12 @@ def test_it_begins_with_the_left_strike(cycle):
     assert cut_cycle(cycle) is cycle, "what is cut already stays as it is"
 
 
+def test_a_still_cycle_of_one_frame_stays(cycles):
+    pose = cycles[KNOWN[0]]
+    still = replace(pose, root_positions=pose.root_positions[:1], rotations=pose.rotations[:1])
+    assert cut_cycle(still) is still
+
+
 def test_joints_turn_as_in_the_recording(motions_dir):
     """Given where to cut, every frame is near the recorded one: the seam is spread thin."""
     walk = read(motions_dir / "bandai-namco/walk_normal_001.bvh")
