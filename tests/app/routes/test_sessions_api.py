@@ -49,6 +49,7 @@ def test_the_session_tells_all_that_the_page_needs(client, token):
     assert part["steps"] == ["very", "rather", "neither", "rather", "very"]
     assert set(told["steps"][0]) == {
         "index", "part", "kind", "figures", "reference", "instruction", "scales",
+        "interface", "seen",
     }  # fmt: skip
     assert set(told["steps"][0]["figures"][0]) == {"glb_url", "figure_url", "cyclic", "caption"}
     assert [step["index"] for step in told["steps"]] == list(range(22))
