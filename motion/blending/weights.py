@@ -29,9 +29,9 @@ class WeightMap:
     Oshita et al. (eq. 7), after Rose, Cohen & Bodenheimer (1998):
     wᵢ(p) = Σⱼ lᵢⱼ Lⱼ(p) + Σₖ rᵢₖ Rₖ(p) with L₀ = 1 and Lⱼ(p) = pⱼ. The linear part is the least
     squares fit, the smallest of several, to 1 at example i and 0 at the others; Rₖ(p) is a cubic
-    B-spline of the distance from example k, 1 there and 0 from twice the distance to its nearest
-    neighbour on; r takes out what the linear part leaves. Then wᵢ is clipped to [0, 1] and the
-    weights are normalised.
+    B-spline of the distance from example k, 1 there and 0 from one to two times the distance to its
+    nearest neighbour on; r takes out what the linear part leaves. Then wᵢ is clipped to [0, 1] and
+    the weights are normalised.
 
     The clipped weights cannot all vanish: before clipping they sum to 1 everywhere, because the
     linear parts fit a constant exactly and so nothing is left of their sum for the radial parts.
