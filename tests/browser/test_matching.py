@@ -19,6 +19,7 @@ from app.schemas.spaces import SpaceDefinition
 from app.services.space_motion import Prepared
 from motion.blending.distance import matching_distance
 from motion.storage import clip_from_bytes
+from tests.browser import test_builder as builder
 from tests.browser.participant import grave_faults, keep_still
 from tests.support.server import Server
 from tests.support.study_files import CONSENT, TEXTS, THANKS
@@ -26,6 +27,7 @@ from tests.support.study_files import CONSENT, TEXTS, THANKS
 pytestmark = pytest.mark.browser
 
 WALKS = ("set_a_neutral", "set_a_sad", "set_a_swaggering")
+SAMPLE = "Walks of set A (simulated raters) · 10 examples"
 LONG = 60_000
 POST = """async ([path, body]) => {
   const token = document.querySelector('meta[name="csrf-token"]').content;
@@ -272,12 +274,36 @@ def test_without_a_connection_the_clock_stands_still(page: Page, matching: Match
     expect(page.locator(".match-outcome")).to_contain_text("It matches.", timeout=LONG)
 
 
-def test_a_preview_can_be_played_too(research_page: Page, matching: Matching) -> None:
+def test_a_preview_can_be_played_too(
+    research_page: Page, matching: Matching, server: Server
+) -> None:
     matching(threshold=BETWEEN)
     keep_still(research_page.context)
-    research_page.goto(
-        research_page.url.split("/research")[0] + "/research/studies/matching/preview"
-    )
+    research_page.goto(f"{server.url}/research/studies/matching/preview")
     expect(slider(research_page, 2)).to_be_enabled(timeout=LONG)
     press(research_page, 2, "End")
     expect(research_page.locator(".match-outcome")).to_contain_text("It matches.", timeout=LONG)
+
+
+def test_a_researcher_makes_a_matching_part_without_code(
+    research_page: Page, server: Server
+) -> None:
+    page = research_page
+    page.set_default_timeout(LONG)
+    builder.begin(page, server, "Which sliders?")
+    builder.add(page, "Match a motion")
+    draw = page.get_by_role("button", name="Draw targets")
+    expect(draw.last).to_be_disabled()
+    page.get_by_label("Authoring space").select_option(label=SAMPLE)
+    page.get_by_role("button", name="Motion features").click()
+    page.get_by_label("Time for each").fill("60")
+    page.get_by_label("How many").last.fill("2")
+    draw.last.click()
+    expect(page.locator(".stimulus-name")).to_have_text(["Target 1", "Target 2"], timeout=LONG)
+    assert grave_faults(page) == []
+    builder.saved(page)
+    [[draft]] = rows(server, "select draft from studies where title = 'Which sliders?'")
+    part = json.loads(draft)["parts"][0]
+    assert part["task"]["interfaces"] == ["weights", "adjectives"]
+    assert (part["task"]["space"], part["task"]["seconds"]) == (SAMPLE.split(" · ")[0], 60)
+    assert [sorted(one["made"]) for one in part["stimuli"]] == [["space", "values"]] * 2

@@ -43,10 +43,23 @@ def library(server: Server) -> Iterator[Database]:
     engine.dispose()
 
 
+def built(name: str) -> dict:
+    """The template; what is to be matched matches at once, or every trial would take minutes."""
+    document = TEMPLATES[name].build()
+    trials(document)["task"] |= {"threshold": 1} if name == "matching" else {}
+    return document
+
+
+def trials(document: dict) -> dict:
+    return next(part for part in document["parts"] if part["kind"] == "trials")
+
+
 def shortened(name: str) -> dict:
     """The template with as few clips as its kind of trial can do with."""
-    document = TEMPLATES[name].build()
-    part = next(part for part in document["parts"] if part["kind"] == "trials")
+    document = built(name)
+    part = trials(document)
+    if name == "matching":
+        part["task"]["practice_targets"] = []
     if name == "emotion":
         part |= {"stimuli": part["stimuli"][-1:], "practice": 0}  # a modified one
     elif name == "side-by-side":
@@ -60,7 +73,7 @@ def shortened(name: str) -> dict:
 
 def publish(server: Server, name: str, *, whole: bool = False) -> str:
     """Put the template onto the server; its address."""
-    document = TEMPLATES[name].build() if whole else shortened(name)
+    document = built(name) if whole else shortened(name)
     file = study_files.read(study_files.write(document), f"{name}.yaml")
     assert file.faults == []
     with library(server) as database:
@@ -81,7 +94,9 @@ def answer(page: Page, kind: str) -> None:
     elif kind == "parallel":
         for slider in page.locator(".slider input").all():
             slider.press("ArrowRight")
-    page.locator(".next").click()
+    elif kind == "match" and page.locator(".match-note").count():  # a guess
+        page.locator(".match-sliders input:enabled").first.press("ArrowRight")
+    page.locator(".next").click(timeout=LONG)
 
 
 def take_part(page: Page, address: str, language: str) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 
@@ -21,6 +22,7 @@ pytestmark = pytest.mark.browser
 
 VIEWER = "document.querySelector('motion-viewer')"
 ONE = '<motion-viewer controls="{controls}" src="/clip0.glb" figure="/figure.glb"></motion-viewer>'
+QUICKER = 0.7
 STYLE = "body { margin: 0; background: #f4f3f0 } motion-viewer { height: 300px } "
 CARD = "motion-thumbnail { width: 100px; height: 110px; display: inline-block }"
 # Counts the contexts that draw; a probe that gives its context back at once is none of them.
@@ -54,6 +56,8 @@ def site(clips: list[Clip], tmp_path_factory: pytest.TempPathFactory) -> Iterato
     folder = tmp_path_factory.mktemp("viewer")
     for index, clip in enumerate(clips):
         (folder / f"clip{index}.glb").write_bytes(write_clip_glb(clip))
+    quick = replace(clips[0], frame_time=QUICKER * clips[0].frame_time)
+    (folder / "quick.glb").write_bytes(write_clip_glb(quick))
     (folder / "figure.glb").write_bytes(write_figure_glb(build_figure(clips[0])))
     with serve(folder, STYLE + CARD) as address:
         yield folder, address
@@ -110,6 +114,23 @@ def test_several_figures_keep_step_in_one_context(
         assert np.abs(np.reshape(shown, (-1, 3)) - world).max() < 1e-3
     assert page.evaluate("contexts.filter((context) => !context.isContextLost()).length") == 1
     expect(page.get_by_text("judged")).to_be_visible()
+
+
+def test_in_step_the_others_are_as_far_as_the_first(show: Show, clips: list[Clip]) -> None:
+    figures = "".join(
+        f'<motion-figure src="/{name}.glb"></motion-figure>' for name in ("clip0", "quick")
+    )
+    page = show(
+        f'<motion-viewer in-step controls="none" figure="/figure.glb">{figures}</motion-viewer>'
+    )
+    ready(page)
+    assert _get(page, "duration") == pytest.approx(clips[0].duration, abs=1e-3)
+    world = forward_kinematics(clips[0]).positions
+    for frame in (3, clips[0].frames // 2, clips[0].frames - 2):
+        page.evaluate(f"{VIEWER}.seek({frame * clips[0].frame_time})")
+        for index in (0, 1):
+            shown = page.evaluate(f"[...{VIEWER}.figures[{index}].jointPositions()]")
+            assert np.abs(np.reshape(shown, (-1, 3)) - world[frame]).max() < 1e-3
 
 
 def test_viewers_and_thumbnails_of_a_page_share_one_context(show: Show, page: Page) -> None:
