@@ -79,6 +79,7 @@ def define(
             )
             for source, clip in zip(sources, clips, strict=True)
         ]
+        _check_moments(sources, moments)
         Blender(clips, moments)  # it knows what belongs together
         values = np.stack([features(clip) for clip in clips])
     return SpaceDefinition(
@@ -232,6 +233,17 @@ def _check_cycles(sources: Sequence[Source], clips: Sequence[Clip]) -> None:
             code="cycles_differ",
             where={"field": "clips", "clips": [source.id for source in others]},
             mend="Cut one cycle out of them first, by a recipe with cycle@1.",
+        )
+
+
+def _check_moments(sources: Sequence[Source], moments: Sequence[Moments]) -> None:
+    others = [one for one, known in zip(sources, moments, strict=True) if not known]
+    if others and len(others) < len(sources):
+        raise InvalidError(
+            f"{_named(others)} no keytimes: no step was found, while other clips step.",
+            code="keytimes_missing",
+            where={"field": "keytimes", "clips": [source.id for source in others]},
+            mend="Give their heel strikes and toe-offs, or leave these clips out.",
         )
 
 

@@ -137,6 +137,17 @@ def test_the_same_clips_give_the_same_space_to_the_last_letter(database: Databas
         assert spaces.definition(db, space.id).content_hash == space.id == one.content_hash
 
 
+@pytest.mark.parametrize("place", [0, 1])
+def test_a_clip_without_keytimes_among_others_is_named(place: int) -> None:
+    of = sources(3)
+    with pytest.raises(InvalidError) as refused:
+        define("Walks", of, {of[place].id: {}})
+    assert refused.value.message.startswith(f"“{of[place].name}” has no keytimes")
+    assert refused.value.where == {"field": "keytimes", "clips": [of[place].id]}
+    every = define("Walks", of, {one.id: {} for one in of})
+    assert not any(one.keytimes for one in every.examples)
+
+
 def test_a_space_whose_clip_is_gone_meanwhile_is_not_kept(database: Database) -> None:
     samples.make(database, lambda: [*set_a()][:2])
     with database.writing() as db, pytest.raises(NotFoundError):
