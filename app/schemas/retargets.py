@@ -55,7 +55,8 @@ class Retargeting(BaseModel):
                 "same": False,
                 "fits": True,
                 "sentence": "The motion fits: limbs point where they pointed within 1.2°, "
-                "standing feet slide by 4 mm at most. One joint of the new body rests: LeftToe.",
+                "standing feet slide by 4 mm at most and are 1 mm off the floor. "
+                "One joint of the new body rests: LeftToe.",
                 "mean_direction": 0.004,
                 "greatest_direction": 0.021,
                 "slip": 0.004,

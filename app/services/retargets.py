@@ -78,10 +78,10 @@ def _sentence(told: dict[str, Any], same: bool, fits: bool) -> str:
         return "Both clips move the same skeleton already: nothing has to be put onto it."
     judged = "The motion fits" if fits else "The motion fits loosely"
     turned = max(0.1, math.degrees(told["greatest_direction"]))  # nothing is exact to the last bit
-    slip = max(1.0, 1000.0 * told["slip"])
+    slip, height = (max(1.0, 1000.0 * told[name]) for name in ("slip", "sole_height"))
     words = (
         f"{judged}: limbs point where they pointed within {turned:.1f}°, standing feet slide by "
-        f"{slip:.0f} mm at most."
+        f"{slip:.0f} mm at most and are {height:.0f} mm off the floor."
     )
     resting = told["resting"]
     if not resting:

@@ -4395,7 +4395,7 @@ export interface components {
          *         "LeftToe"
          *       ],
          *       "same": false,
-         *       "sentence": "The motion fits: limbs point where they pointed within 1.2°, standing feet slide by 4 mm at most. One joint of the new body rests: LeftToe.",
+         *       "sentence": "The motion fits: limbs point where they pointed within 1.2°, standing feet slide by 4 mm at most and are 1 mm off the floor. One joint of the new body rests: LeftToe.",
          *       "slip": 0.004,
          *       "sole_height": 0.001,
          *       "unmapped": []

@@ -33,12 +33,12 @@ export class ClipBody extends LitElement {
       this.problem = asApiError(error);
       return;
     }
-    const onto = new URLSearchParams(location.search).get("onto");
-    if (onto && location.hash === "#body" && location.pathname.endsWith(this.clipId)) await this.open(onto);
+    const isAsked = location.hash === "#body" && location.pathname.endsWith(this.clipId);
+    if (isAsked) await this.open(new URLSearchParams(location.search).get("onto"));
   }
 
   /** A clip that may still be read differently is kept first: what is made of it needs it as it is. */
-  private async open(onto?: string): Promise<void> {
+  private async open(onto: string | null = null): Promise<void> {
     try {
       if (this.clip?.state === "to_confirm") {
         this.clip = await server.keep(this.clipId);

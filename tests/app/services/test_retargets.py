@@ -109,11 +109,11 @@ def test_a_motion_without_a_stride_is_told(author: Researching) -> None:
 
 
 def test_joints_that_nothing_leads_are_named() -> None:
-    numbers = {"greatest_direction": math.radians(2.0), "slip": 0.0042}
+    numbers = {"greatest_direction": math.radians(2.0), "slip": 0.0042, "sole_height": 0.012}
     one = retargets._sentence({**numbers, "resting": ["LeftToe"]}, same=False, fits=True)
     assert one == (
         "The motion fits: limbs point where they pointed within 2.0°, standing feet slide by 4 mm "
-        "at most. One joint of the new body rests: LeftToe."
+        "at most and are 12 mm off the floor. One joint of the new body rests: LeftToe."
     )
     five = retargets._sentence({**numbers, "resting": list("abcde")}, same=False, fits=False)
     assert "fits loosely" in five
