@@ -10,10 +10,9 @@ from motion.clip import Clip
 from motion.errors import MotionError
 from motion.keytimes import EVENTS, find_keytimes
 from motion.recipe.operation import Context, bounded, operation
-from motion.recipe.parameters import Group, ListOf, Number, Reference
+from motion.recipe.parameters import LATEST, Group, ListOf, Number, Reference
 
 _MOST = 64
-_LATEST = 36_000.0  # s
 
 
 def _blend(source: Clip, context: Context, *, examples: list[dict[str, Any]]) -> Clip:
@@ -71,7 +70,7 @@ BLEND = operation(
                                 title=event.replace("_", " ").capitalize(),
                                 unit="s",
                                 minimum=0.0,
-                                maximum=_LATEST,
+                                maximum=LATEST,
                                 optional=True,
                             )
                             for event in EVENTS

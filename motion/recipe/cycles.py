@@ -9,10 +9,8 @@ from motion.body import REQUIRED
 from motion.clip import Clip
 from motion.editing.cycle_cut import cut_cycle
 from motion.recipe.operation import Context, operation
-from motion.recipe.parameters import Number, Reference
+from motion.recipe.parameters import LATEST, Number, Reference
 from motion.retargeting import retarget
-
-_LATEST = 36_000.0  # s
 
 
 def _cycle(clip: Clip, _: Context, *, start: float | None, end: float | None) -> Clip:
@@ -42,7 +40,7 @@ def _moment(title: str, description: str) -> Number:
         description=description,
         unit="s",
         minimum=0.0,
-        maximum=_LATEST,
+        maximum=LATEST,
         optional=True,
     )
 

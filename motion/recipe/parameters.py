@@ -19,6 +19,7 @@ Value: TypeAlias = "bool | int | float | str | list[Value] | dict[str, Value] | 
 Where: TypeAlias = tuple[str | int, ...]
 
 HEX_ID = "^[0-9a-f]{64}$"
+LATEST = 36_000.0  # s: no recipe names a later moment
 _SHOWN = 40  # characters of a faulty value that are told
 
 

@@ -13,9 +13,7 @@ from motion.editing.timing import ADDED, EVEN, Timing, change_timing
 from motion.editing.warping import warp_time
 from motion.recipe.feet import LEGS, standing_in_place
 from motion.recipe.operation import Context, bounded, operation
-from motion.recipe.parameters import Choice, Group, ListOf, Number
-
-_LATEST = 36_000.0  # s
+from motion.recipe.parameters import LATEST, Choice, Group, ListOf, Number
 
 
 def _timing(
@@ -65,7 +63,7 @@ def _ordered(values: Mapping[str, Any]) -> tuple[str, str] | None:
 
 
 def _moment(title: str, description: str) -> Number:
-    return Number(title=title, description=description, unit="s", minimum=0.0, maximum=_LATEST)
+    return Number(title=title, description=description, unit="s", minimum=0.0, maximum=LATEST)
 
 
 TIMING = operation(
@@ -169,7 +167,7 @@ CUT = operation(
             description="The first moment that stays.",
             unit="s",
             minimum=0.0,
-            maximum=_LATEST,
+            maximum=LATEST,
             default=0.0,
         ),
         "end": Number(
@@ -177,7 +175,7 @@ CUT = operation(
             description="The last moment that stays; usually the clip's own last.",
             unit="s",
             minimum=0.0,
-            maximum=_LATEST,
+            maximum=LATEST,
             optional=True,
         ),
     },
