@@ -19,7 +19,7 @@ from app.services import matching
 from app.services.answer_checks import faults_of, held, screens_out
 from app.services.measures import CHOICES
 from app.services.plans import PAUSE, Step, planned_steps
-from app.services.sessions import hash_token, refuse_withdrawn, unknown_link
+from app.services.sessions import hash_token, refuse_ended, refuse_withdrawn, unknown_link
 from app.services.studies import definition_by_hash, running_of
 
 
@@ -44,8 +44,7 @@ def record(db: Session, token: str, answer: Answer) -> tuple[AnswerReceipt, bool
             raise _already_answered(answer, asked.stored)
         state = "active" if asked.state == "complete" else asked.state
         return _receipt(answer, asked.stored.received_at, state), False
-    if asked.state != "active":
-        raise _ended(asked.state)
+    refuse_ended(asked.state)
     definition = definition_by_hash(db, asked.version_id, asked.definition_hash)
     step = _step(asked, answer.trial_index)
     part = None if step["part"] == PAUSE.id else definition.part(step["part"])
@@ -163,20 +162,6 @@ def _figures(step: Step) -> list[str] | None:
     """The clips as they stood on the page; X comes last, so that it shows who was right."""
     clips: list[str] | None = step.get("clips")
     return [*clips, clips[step["x"]]] if clips and "x" in step else clips
-
-
-def _ended(state: str) -> ConflictError:
-    if state == "complete":
-        return ConflictError(
-            "The study is complete; its answers can no longer be changed.",
-            code="session_complete",
-            mend="Nothing more to do: all that you answered before is stored.",
-        )
-    return ConflictError(
-        "The study has ended for you.",
-        code="session_ended",
-        mend="Nothing more to do: load the page again to see why.",
-    )
 
 
 def _record(answer: Answer) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from app.persistence.studies import Media
 from app.schemas.spaces import START, Point, Primary, Sliders, SpaceDefinition
 from app.schemas.study import Interface, Language, Match, StudyDefinition, Trials
 from app.services.plans import Step, planned_steps
-from app.services.sessions import open_session
+from app.services.sessions import open_session, refuse_ended
 from app.services.studies import definition_of, media_url
 
 if TYPE_CHECKING:  # they bring SciPy, for which the server's start shall not wait
@@ -52,10 +52,11 @@ def motion(db: Session, token: str, index: int, values: Mapping[str, float]) -> 
 
     Raises:
         NotFoundError: no such session.
-        ConflictError: the step is a guess, in which nothing is seen.
+        ConflictError: the step is a guess, in which nothing is seen, or the session has ended.
         InvalidError: the step matches nothing, or has no such slider.
     """
     session = open_session(db, token)
+    refuse_ended(session.state)
     definition = definition_of(session.version)
     return made_in(db, definition, planned_steps(session.plan), index, values)
 
@@ -70,7 +71,7 @@ def made_in(
     """The same for the steps of any way through a study.
 
     Raises:
-        ConflictError: as `motion`.
+        ConflictError: the step is a guess.
         InvalidError: as `motion`.
     """
     step = steps[index] if index < len(steps) else {}

@@ -250,6 +250,23 @@ def unknown_link() -> NotFoundError:
     )
 
 
+def refuse_ended(state: str) -> None:
+    """Raise ConflictError for a session that takes no more answers, whatever has ended it."""
+    refuse_withdrawn(state)
+    if state == "complete":
+        raise ConflictError(
+            "The study is complete; its answers can no longer be changed.",
+            code="session_complete",
+            mend="Nothing more to do: all that you answered before is stored.",
+        )
+    if state != "active":
+        raise ConflictError(
+            "The study has ended for you.",
+            code="session_ended",
+            mend="Nothing more to do: load the page again to see why.",
+        )
+
+
 def refuse_withdrawn(state: str) -> None:
     """Raise ConflictError for a session whose participant took the answers back."""
     if state == "withdrawn":

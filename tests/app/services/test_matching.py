@@ -200,6 +200,21 @@ def test_what_is_no_position_is_refused(
     assert fault in refused.json()["error"]["message"]
 
 
+def test_nothing_moves_once_the_session_has_ended(
+    signed_in: Researching, space: dict[str, Any], database: Database
+) -> None:
+    study = study_of(space, guess_first=False, interfaces=["weights"])
+    token = begun(database, published(signed_in, study), study)
+    at, sliders = f"/api/v1/sessions/{token}", {"e0": 1.0, "e1": 0.0, "e2": 0.0}
+    for index in range(2):
+        sent = signed_in.post(f"{at}/responses", json=answer(index, sliders, 3.0))
+        assert sent.status_code == 201
+    assert signed_in.post(f"{at}/steps/1/motion", json={"values": sliders}).status_code == 200
+    assert signed_in.post(f"{at}/complete").status_code == 200
+    refused = signed_in.post(f"{at}/steps/1/motion", json={"values": sliders})
+    assert (refused.status_code, refused.json()["error"]["code"]) == (409, "session_complete")
+
+
 @pytest.mark.parametrize("what", ["some", "others"])
 def test_a_match_is_made_by_all_sliders_of_the_page_and_no_others(
     signed_in: Researching, space: dict[str, Any], database: Database, what: str
