@@ -69,7 +69,7 @@ def test_an_imported_walk_is_put_onto_a_common_body_and_mixed_with_its_clips(
     dialog = tried(page)
     expect(dialog.get_by_label("set_a_neutral")).to_be_checked()
     expect(dialog).to_contain_text("The motion fits")
-    expect(dialog.get_by_text(re.compile(r"mm off the floor"))).to_be_visible()
+    expect(dialog.get_by_text(re.compile(r"mm off the floor in the mean$"))).to_be_visible()
     dialog.get_by_label("One cycle of it").check()
     tried(page)
     expect(dialog.get_by_label("Name")).to_have_value("stranger_cycle_on_set_a_neutral")
@@ -110,6 +110,13 @@ def test_the_way_of_a_refused_clip_opens_on_the_body_that_was_asked_for(
     dialog = tried(page)
     expect(dialog.get_by_label("acted_male_sad")).to_be_checked()
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    told, name = (
+        dialog.locator(".body-fit").bounding_box(),
+        dialog.locator("label.field").bounding_box(),
+    )
+    assert told
+    assert name
+    assert told["y"] + told["height"] <= name["y"]
     assert faults_of_access(page) == []
     dialog.get_by_label("acted_male_sad").press("ArrowDown")
     expect(dialog.get_by_label("acted_male_sad")).not_to_be_checked()
