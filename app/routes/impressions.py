@@ -10,6 +10,7 @@ What the template of `templates/research/` is given:
 
 from __future__ import annotations
 
+from datetime import datetime
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Depends, Query, Request
@@ -167,6 +168,12 @@ def choose_impressions(
     choices: AnalysisChoices,
     db: Writing,
     kind: SessionKind = "participant",
+    seen: Annotated[
+        datetime | None, Query(description="`saved_at` of the choices that these were made from")
+    ] = None,
 ) -> Impressions:
-    """Save thresholds, cut, names and moves by hand. What changed is written down."""
-    return impression_choices.save(db, access, part, choices, kind)
+    """Save thresholds, cut, names and moves by hand. What changed is written down.
+
+    With `seen`, choices that somebody else saved since then are not written over.
+    """
+    return impression_choices.save(db, access, part, choices, kind, seen)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import datetime
 
 from sqlalchemy.orm import Session
 
-from app.errors import InvalidError
+from app.errors import ConflictError, InvalidError
 from app.persistence import impressions as store
 from app.schemas.impressions import AnalysisChoices, Impressions
 from app.schemas.results import SessionKind
@@ -23,6 +24,7 @@ def save(
     part: str,
     choices: AnalysisChoices,
     kind: SessionKind = "participant",
+    seen: datetime | None = None,
 ) -> Impressions:
     """Keep the choices for a part; each that differs from before is in the audit trail.
 
@@ -35,13 +37,22 @@ def save(
         part: which part.
         choices: all of them; earlier ones are replaced.
         kind: whose answers the researcher is looking at.
+        seen: when those were saved that these were made from; None: whatever is there is replaced.
 
     Raises:
+        ConflictError: somebody else saved others since then.
         NotFoundError: no such part, or it asks for no pairs of adjectives.
         InvalidError: a pair that the part does not ask for, or two clusters of one name.
     """
     find(db, access.slug, lock=True)  # two who decide at once come one after the other
     before = impressions.analysed(db, access.slug, part, kind)
+    if seen is not None and before.saved_at is not None and seen != before.saved_at:
+        raise ConflictError(
+            "This analysis was changed elsewhere in the meantime.",
+            code="analysis_changed",
+            where={"saved_at": before.saved_at.isoformat()},
+            mend="Load the page again to see it. What you changed last is not saved.",
+        )
     asked = before.answers
     given = choices.model_dump(exclude_unset=True)
     wanted = impressions.defaults(asked.reach).model_copy(update=given)

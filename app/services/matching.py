@@ -14,6 +14,7 @@ from app.persistence.engine import Database
 from app.persistence.studies import Media
 from app.schemas.spaces import START, Point, Primary, Sliders, SpaceDefinition
 from app.schemas.study import Interface, Language, Match, StudyDefinition, Trials
+from app.services.engine_version import engine_version
 from app.services.plans import Step, planned_steps
 from app.services.sessions import open_session, refuse_ended
 from app.services.studies import definition_of, media_url
@@ -23,7 +24,7 @@ if TYPE_CHECKING:  # they bring SciPy, for which the server's start shall not wa
     from motion import Clip
 
 SHOWN_WORDS = 3  # of a cluster's pairs, at the ends of its slider
-MEASURED = ("interface", "seen", "distance", "solved")
+MEASURED = ("interface", "seen", "distance", "solved", "engine")
 SECONDS = "seconds"
 BESIDE_SLIDERS = (SECONDS, *MEASURED)  # in a stored answer
 TARGETS_KEPT = 64
@@ -137,6 +138,7 @@ def measured(db: Session, task: Match, step: Step, answers: Mapping[str, Any]) -
         "seen": int(step["seen"]),
         "distance": round(distance, 6),
         "solved": int(distance < task.threshold and in_time),
+        "engine": engine_version(),
     }
 
 

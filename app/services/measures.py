@@ -184,6 +184,7 @@ def _of_match(start: Measure, task: Match) -> list[Measure]:
         replace(category, id="solved", title=f"whether the distance was below {limit}",
                 levels=((0, "no"), (1, "yes"))),
         replace(number, id="seconds", unit="s", title="how long the sliders were moved"),
+        replace(start, id="engine", type="text", title="the engine’s version that measured it"),
     ]  # fmt: skip
 
 

@@ -921,6 +921,8 @@ export interface paths {
         /**
          * Choose Impressions
          * @description Save thresholds, cut, names and moves by hand. What changed is written down.
+         *
+         *     With `seen`, choices that somebody else saved since then are not written over.
          */
         put: operations["choose_impressions"];
         post?: never;
@@ -9668,6 +9670,8 @@ export interface operations {
         parameters: {
             query?: {
                 kind?: "participant" | "simulated";
+                /** @description `saved_at` of the choices that these were made from */
+                seen?: string | null;
             };
             header?: never;
             path: {

@@ -12,7 +12,8 @@ on the page, so that no address or answer gives a clip's name away):
 - `free_text`: `text`;
 - `match`: slider id to where it stood at last, 0 … 1 (of bare weights: `e0`, `e1`, … as the space
   has its examples), and `seconds`, how long it took. The server adds `interface`, `seen` (0 for a
-  guess), `distance` (metres) and `solved` (1 if the distance was below the threshold in time).
+  guess), `distance` (metres), `solved` (1 if the distance was below the threshold in time) and the
+  `engine` that measured it.
 """
 
 from __future__ import annotations

@@ -36,6 +36,8 @@ export class ImpressionsPage extends LitElement {
   private readonly saveSoon = debounced<void>(() => void this.save(), SETTLED);
   /** The end of the last change on its way: each begins with what the one before has left. */
   private saved: Promise<void> = Promise.resolve();
+  /** When those choices were saved that this page last saw; others are not written over. */
+  private savedAt: string | null = null;
 
   protected override createRenderRoot(): HTMLElement {
     const inPage = dataOf<Impressions>("impressions");
@@ -78,6 +80,7 @@ export class ImpressionsPage extends LitElement {
 
   private show(data: Impressions): void {
     this.data = data;
+    this.savedAt ??= data.saved_at;
     this.decided = remembered(this.decided, data.choices);
   }
 
@@ -130,6 +133,7 @@ export class ImpressionsPage extends LitElement {
     let went = false;
     await attempt(async () => {
       const saved = await this.send(data, { ...limits, ...decided });
+      this.savedAt = saved.saved_at;
       this.decided = decided;
       if (this.isAt(limits)) this.show(saved);
       went = true;
@@ -139,7 +143,8 @@ export class ImpressionsPage extends LitElement {
 
   /** The request outlives the page: somebody may name a cluster and go. */
   private send({ part, kind }: Impressions, choices: Choices): Promise<Impressions> {
-    return api.put<Impressions>(`${this.address}/${part.id}`, choices, { query: { kind }, keepalive: true });
+    const query = { kind, ...(this.savedAt ? { seen: this.savedAt } : {}) };
+    return api.put<Impressions>(`${this.address}/${part.id}`, choices, { query, keepalive: true });
   }
 
   private isAt(limits: Limits): boolean {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from sqlalchemy.orm import Session
 
-from app.errors import InvalidError, NotFoundError
+from app.errors import ConflictError, InvalidError, NotFoundError
 from app.persistence.models import Researcher
 from app.schemas.impressions import AnalysisChoices, Impressions
 from app.services import audit, impression_choices, impressions, rights
@@ -173,3 +173,15 @@ def test_two_clusters_cannot_have_one_name(choose):
 def test_a_part_that_is_not_there_is_said_to_be_missing(db, access):
     with pytest.raises(NotFoundError, match="no part “nowhere”"):
         impression_choices.save(db, access, "nowhere", AnalysisChoices())
+
+
+def test_what_somebody_else_saved_meanwhile_is_not_written_over(db, access, choose):
+    seen = choose().saved_at
+    theirs = AnalysisChoices(**THREE, names={looked_at(db).clusters[0].key: "theirs"})
+    impression_choices.save(db, access, PART, theirs, seen=seen)
+    mine = AnalysisChoices(**THREE)
+    with pytest.raises(ConflictError, match="changed elsewhere"):
+        impression_choices.save(db, access, PART, mine, seen=seen)
+    assert looked_at(db).clusters[0].title == "theirs"
+    impression_choices.save(db, access, PART, mine, seen=looked_at(db).saved_at)
+    assert looked_at(db).choices.names == {}
