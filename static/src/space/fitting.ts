@@ -3,17 +3,17 @@ import { freeName } from "../studio/names";
 import type { Steps } from "../studio/recipe";
 import * as studio from "../studio/server";
 
-type Shape = Pick<studio.Clip, "id" | "figure_url" | "cyclic">;
+type Shape = Pick<studio.Clip, "id" | "skeleton_hash" | "cyclic">;
 
-/** What has to be done to a clip before it can be mixed with this one; a skeleton is known by its figure. */
+/** What has to be done to a clip before it can be mixed with this one: cut where it was recorded, then moved. */
 export function fittingSteps(clip: Shape, like: Shape): Steps {
   return [
-    ...(clip.figure_url === like.figure_url ? [] : [{ operation: "retarget@1", parameters: { clip: like.id } }]),
     ...(like.cyclic && !clip.cyclic ? [{ operation: "cycle@1", parameters: {} }] : []),
+    ...(clip.skeleton_hash === like.skeleton_hash ? [] : [{ operation: "retarget@1", parameters: { clip: like.id } }]),
   ];
 }
 
-/** "on the examples’ skeleton, one cycle of it" */
+/** "one cycle of it, on the examples’ skeleton" */
 export function fittingWords(steps: Steps): string {
   const words: Record<string, string> = { "retarget@1": "on the examples’ skeleton", "cycle@1": "one cycle of it" };
   return steps.map(({ operation }) => words[operation]).join(", ");
