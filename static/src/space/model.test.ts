@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import {
-  added, clustersOf, interfacesOf, middle, mixed, moved, nameOf, placeOfExample, pointOf, removed, slidersOf, start, swapped, switched, weighed,
+  added, carried, clustersOf, interfacesOf, middle, mixed, moved, nameOf, placeOfExample, pointOf, removed, slidersOf, start, swapped, switched, weighed,
 } from "./model";
 import type { Space } from "./server";
 import { languagesOf } from "./words";
@@ -35,6 +35,23 @@ test("pairs are added at the end, swapped in their place, and taken away", () =>
   const other = swapped(added(place, "dull_quick", 0.5), "sad_happy", "slow_fast", 0.12345);
   expect(Object.entries(other.adjectives).slice(2)).toEqual([["slow_fast", 0.12], ["dull_quick", 0.5]]);
   expect(Object.keys(removed(other, "slow_fast").adjectives)).toEqual(["quickness", "mood", "dull_quick"]);
+});
+
+test("in another version lost sliders are gone, new primary ones stand in the middle, newcomers weigh nothing", () => {
+  const place = added(moved(start(space), { quickness: 0.8, mood: 0.1 }), "sad_happy", 0.43);
+  const { primary, parameters } = adjectives;
+  const next = {
+    ...space,
+    definition: {
+      ...space.definition,
+      adjectives: { primary: [primary[0]!, { ...primary[1]!, id: "size" }], parameters: parameters.slice(1) },
+      examples: [...space.definition.examples, { clip: "d", name: "walk d", keytimes: {} }],
+    },
+  } as unknown as Space;
+  const there = carried(place, next);
+  expect(there.adjectives).toEqual({ quickness: 0.8, size: 0.5 });
+  expect(there.weights).toEqual({ ...place.weights, d: 0 });
+  expect(carried(place, bare).by).toBe("features");
 });
 
 test("a weight that is moved leaves the others their proportions, and their sum stays 1", () => {

@@ -94,6 +94,22 @@ export function start(space: Space): Place {
   };
 }
 
+/**
+ * A place as it is in another version of its space: sliders that are not there any more are gone, new primary ones stand
+ * in the middle, and an example that has come weighs nothing.
+ */
+export function carried({ before: _, ...place }: Place, space: Space): Place {
+  const fresh = start(space);
+  const having = (kind: Kind): Values => {
+    const { primary = [], parameters = [] } = space.definition[kind] ?? {};
+    const known = new Set([...primary, ...parameters].map(({ id }) => id));
+    return { ...fresh[kind], ...Object.fromEntries(Object.entries(place[kind]).filter(([id]) => known.has(id))) };
+  };
+  const weights = Object.fromEntries(space.definition.examples.map(({ clip }) => [clip, place.weights[clip] ?? 0]));
+  const by = interfacesOf(space).includes(place.by) ? place.by : fresh.by;
+  return { by, adjectives: having("adjectives"), features: having("features"), weights };
+}
+
 /** What the server is asked for. An example without weight need not be named. */
 export function pointOf({ by, ...place }: Place): Point {
   const values = place[by];

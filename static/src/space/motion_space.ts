@@ -14,7 +14,7 @@ import { keytimePanel, type KeytimeActs } from "./keytime_panel";
 import { mixedContacts } from "./keytimes";
 import { mapPanel, type Axes } from "./map_panel";
 import {
-  added, clustersOf, middle, mixed, moved, placeOfExample, removed, slidersOf, swapped, switched, weighed, type Kind, type Place,
+  added, carried, clustersOf, middle, mixed, moved, placeOfExample, removed, slidersOf, swapped, switched, weighed, type Kind, type Place,
 } from "./model";
 import type { Chosen, PairChooser } from "./pair_chooser";
 import * as server from "./server";
@@ -248,10 +248,9 @@ export class MotionSpace extends LitElement {
 
   /** The space's next version takes this one's place on the page: it stands where this one stood, moved events are in it. */
   private async renew(join: string[] = []): Promise<void> {
-    const { place: { before: _, ...place }, name, changedKeytimes } = this.session!;
+    const { place, name, changedKeytimes } = this.session!;
     const space = await server.version(this.wanted, { join, keytimes: changedKeytimes ?? {} });
-    const weights = Object.fromEntries(space.definition.examples.map(({ clip }) => [clip, place.weights[clip] ?? 0]));
-    this.open(space, { ...place, weights });
+    this.open(space, carried(place, space));
     this.session!.name = name;
     this.told = `Version ${space.number} is made.`;
   }
