@@ -18,6 +18,7 @@ from app.schemas.spaces import (
     TargetList,
     TargetRequest,
 )
+from app.schemas.study import Interface
 from app.services.space_motion import Prepared
 from motion import Clip
 from motion.blending.distance import matching_distance
@@ -48,9 +49,9 @@ def draw(
     names = [one.id for one in definition.adjectives.primary]
     drawn = np.random.default_rng(request.seed).random((request.count + SPARE, len(names)))
     points = [_point(names, row) for row in drawn]
-    start = _point(names, np.full(len(names), START))
-    first, *clips = [ready.clip(ready.weights(point).weights) for point in (start, *points)]
-    taken = sorted(_far_apart(first, clips, request.count))
+    starts = [ready.clip(ready.weights(point).weights) for point in _starts(definition)]
+    clips = [ready.clip(ready.weights(point).weights) for point in points]
+    taken = sorted(_far_apart(starts, clips, request.count))
     return TargetList(
         targets=[
             Target(
@@ -68,9 +69,23 @@ def _point(names: Sequence[str], row: np.ndarray) -> Point:
     return Point(interface="adjectives", values=values)
 
 
-def _far_apart(start: Clip, clips: Sequence[Clip], count: int) -> list[int]:
+def _starts(definition: SpaceDefinition) -> list[Point]:
+    """Where the sliders of every interface stand at first."""
+    names: dict[Interface, list[str]] = {"weights": [one.clip for one in definition.examples]}
+    for interface in ("adjectives", "features"):
+        if sliders := definition.sliders(interface):
+            names[interface] = [one.id for one in sliders.primary]
+    return [
+        Point(interface=interface, values=dict.fromkeys(ids, START))
+        for interface, ids in names.items()
+        if ids
+    ]
+
+
+def _far_apart(starts: Sequence[Clip], clips: Sequence[Clip], count: int) -> list[int]:
+    """The numbers of clips that lie far from each other and from where one begins."""
     taken: list[int] = []
-    nearest = np.array([matching_distance(start, clip) for clip in clips])
+    nearest = np.min([[matching_distance(one, clip) for clip in clips] for one in starts], axis=0)
     while len(taken) < count:
         taken.append(int(np.argmax(nearest)))
         apart = [matching_distance(clips[taken[-1]], clip) for clip in clips]

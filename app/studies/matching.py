@@ -23,15 +23,15 @@ from app.studies.texts import (
 
 SPACE = "Walks of set B (simulated raters)"
 PRIMARY = ("clearness", "activeness", "quickness", "largeness")
-# Drawn in that space (seed 7), far from each other and from where the sliders begin.
+# Drawn in that space (seed 7), far from each other and from where the sliders of each kind begin.
 TARGETS = (
-    (0.333, 0.398, 0.203, 0.051),
+    (0.059, 0.388, 0.323, 0.150),
     (0.913, 0.802, 0.878, 0.523),
     (0.014, 0.628, 0.793, 0.513),
     (0.520, 0.951, 0.251, 0.806),
-    (0.340, 0.272, 0.952, 0.444),
+    (0.370, 0.004, 0.830, 0.154),
 )
-PRACTICE = ((0.253, 0.249, 0.188, 0.567), (0.968, 0.215, 0.672, 0.3), (0.255, 0.445, 0.505, 0.553))
+PRACTICE = ((0.635, 0.184, 0.062, 0.412), (0.44, 0.24, 0.402, 0.097), (0.307, 0.961, 0.466, 0.628))
 # The paper's 0.06 m is for captured walks. Two random blends of these samples lie 0.05 m from each
 # other (the median), so that most would match at once.
 THRESHOLD = 0.02
