@@ -7,9 +7,9 @@ import sqlite3
 from contextlib import closing
 from dataclasses import dataclass
 
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import BrowserContext, Locator, Page, expect
 
+from tests.browser.accessibility import violations
 from tests.support.server import Server
 
 STUDY = "/studies/emotion-in-walking"
@@ -111,7 +111,7 @@ def stored(server: Server) -> list[Row]:
 
 def grave_faults(page: Page) -> list[str]:
     """What axe calls serious or critical, with the places."""
-    found = Axe().run(page).response["violations"]
+    found = violations(page)
     return [
         f"{fault['id']}: {node['html']}"
         for fault in found

@@ -6,9 +6,9 @@ import csv
 from collections.abc import Iterator
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Locator, Page, expect
 
+from tests.browser.accessibility import violations
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.support.server import Server
 
@@ -235,7 +235,7 @@ def test_the_pages_are_accessible_and_fit(
         page.goto("about:blank")
         page.goto(address)
         expect(button(page, ready)).to_be_visible()
-        found = Axe().run(page).response["violations"]
+        found = violations(page)
         assert [(one["id"], one["nodes"][0]["html"]) for one in found] == []
         width = page.evaluate("document.documentElement.scrollWidth")
         assert width <= size["width"], address

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Locator, Page, Route, expect
 
 from motion.rotations import angle_between
+from tests.browser.accessibility import violations
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.support.server import Server
 
@@ -262,7 +262,7 @@ def test_axe_finds_nothing_grave_on_the_pages_of_graphs(
 
 
 def grave_faults(page: Page) -> list[str]:
-    found = Axe().run(page).response["violations"]
+    found = violations(page)
     return [
         f"{fault['id']}: {node['html'][:200]}"
         for fault in found

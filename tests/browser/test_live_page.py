@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page, expect
 
 from app.persistence.engine import Database, make_engine
 from app.studies import emotion
+from tests.browser.accessibility import violations
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.support.server import Server
 from tests.support.simulate import take_part
@@ -46,7 +46,7 @@ def number(page: Page, word: str) -> Any:
 
 
 def grave_faults(page: Page) -> list[str]:
-    found = Axe().run(page).response["violations"]
+    found = violations(page)
     return [f"{fault['id']}: {node['html'][:200]}" for fault in found for node in fault["nodes"]]
 
 

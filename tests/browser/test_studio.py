@@ -11,12 +11,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from numpy.typing import NDArray
 from playwright.sync_api import Locator, Page, expect
 from scipy.spatial.transform import Rotation
 
 from motion.bvh import read_bvh
+from tests.browser.accessibility import violations
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.motion.test_glb import run_node
 from tests.support.server import Server
@@ -100,7 +100,7 @@ def drag_across_pad(page: Page) -> None:
 
 
 def grave_faults(page: Page) -> list[str]:
-    found = Axe().run(page).response["violations"]
+    found = violations(page)
     return [f"{fault['id']}: {node['html'][:200]}" for fault in found for node in fault["nodes"]]
 
 

@@ -6,10 +6,10 @@ import re
 from typing import Any
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page, expect
 
 from app.persistence.engine import Database, make_engine
+from tests.browser.accessibility import violations
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.support.server import Server
 from tests.support.simulate import simulate
@@ -62,7 +62,7 @@ def choose(page: Page, name: str, text: str) -> None:
 
 
 def grave_faults(page: Page) -> list[str]:
-    found = Axe().run(page).response["violations"]
+    found = violations(page)
     return [
         f"{fault['id']}: {node['html'][:200]}"
         for fault in found

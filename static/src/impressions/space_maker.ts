@@ -31,6 +31,9 @@ export class SpaceMaker extends LitElement {
       this.made = await api.post<SpaceLine>(`/api/v1/studies/${slug}/impressions/${part.id}/space?kind=${kind}`, { name });
     }, (problem) => (this.problem = problem));
     this.busy = false;
+    // The way on stands below the button, perhaps out of sight.
+    await this.updateComplete;
+    if (this.made && !this.problem) this.querySelector<HTMLElement>(".note-good a")?.focus();
   }
 
   protected override render(): TemplateResult {
