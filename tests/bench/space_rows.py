@@ -9,37 +9,31 @@ import statistics
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-import numpy as np
-
 from app.persistence import schema
 from app.persistence.engine import Database, make_engine
 from app.persistence.models import Researcher
 from app.services import keys, library, spaces
 from app.services.clip_files import make_files
 from app.services.space_making import define
-from motion.blending.weights import WeightMap
 from motion.procedural.library import set_b
 from tests.bench.api_rows import Request, load
-from tests.bench.measure import RUNS, Row, durations
+from tests.bench.measure import RUNS, Row
 from tests.support.server import Server
 
 REQUESTS = 60  # of each run
 
 
 def rows(scratch: Path) -> list[Row]:
-    """The server's share of a slider's drag, and the weight map's of a new combination."""
+    """The server's share of a slider's drag."""
     folder = scratch / "spaces"
     folder.mkdir()
     key, space_id = prepare(folder)
     server = Server(folder)
     server.start()
     try:
-        found = asyncio.run(_measure(server.port, key, space_id))
+        return asyncio.run(_measure(server.port, key, space_id))
     finally:
         server.stop()
-    places = np.random.default_rng(1).random((27, 10))
-    maps = {"Manner": lambda: WeightMap.fit(places)}
-    return [*found, *durations("Weight map, 27 examples × 10 parameters", maps, aim="≤ 5")]
 
 
 def prepare(folder: Path) -> tuple[str, str]:

@@ -10,11 +10,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-from playwright.sync_api import Browser, Page, Response, sync_playwright
+from playwright.sync_api import Browser, Page, Response, ViewportSize, expect, sync_playwright
 
 from tests.bench import answers_load
 from tests.bench.measure import RUNS, Row
-from tests.browser.conftest import CHROMIUM_ARGUMENTS
+from tests.browser.conftest import CHROMIUM_ARGUMENTS, set_up_researcher
 from tests.browser.participant import begin
 from tests.support.server import Server
 
@@ -26,6 +26,8 @@ _SECOND_FRAME = """() => new Promise((done) => {
   look();
 })"""
 # What the aim leaves out: figures and clips (GLB; unpacked ones are blobs) and fonts.
+MOVES = 40  # of the pointer
+DESKTOP = ViewportSize(width=1280, height=800)
 _LEFT_OUT = (".glb", ".woff2")
 
 
@@ -58,7 +60,11 @@ def participant(scratch: Path) -> list[Row]:
             chromium = shutil.which("chromium") or shutil.which("chromium-browser")
             browser = playwright.chromium.launch(executable_path=chromium, args=CHROMIUM_ARGUMENTS)
             page = browser.new_page(viewport={"width": 1280, "height": 800})
-            return [*_measure_trial(page, server), _first_figure(browser, server)]
+            found = [*_measure_trial(page, server), _first_figure(browser, server)]
+            return [
+                *found,
+                _drag(browser.new_page(viewport={"width": 1280, "height": 800}), server),
+            ]
     finally:
         server.stop()
 
@@ -105,6 +111,28 @@ def _first_figure(browser: Browser, server: Server) -> Row:
         found.append(page.evaluate(_SECOND_FRAME))
         context.close()
     return _median("First figure moving, cold cache", found, "ms", "≤ 1500")
+
+
+def _drag(page: Page, server: Server) -> Row:
+    """From the pointer's move to the first frame of the new motion, in a space of 27 examples."""
+    set_up_researcher(page, server)
+    spaces = page.request.get(f"{server.url}/api/v1/spaces").json()["spaces"]
+    walks = next(one["id"] for one in spaces if one["examples"] == 27)
+    page.goto(f"{server.url}/studio/spaces/{walks}")
+    stage = page.get_by_role("region", name="Stage")
+    expect(stage).to_have_attribute("aria-busy", "false", timeout=60_000)
+    box = page.get_by_role("slider", name="quickness").bounding_box()
+    assert box is not None
+    across = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + 0.5 * box["width"], across)
+    page.mouse.down()
+    for move in range(MOVES):
+        page.mouse.move(box["x"] + (0.5 + 0.4 * move / MOVES) * box["width"], across)
+        page.wait_for_timeout(120)
+    page.mouse.up()
+    page.wait_for_timeout(1000)
+    times = page.evaluate("performance.getEntriesByName('manner:change').map((it) => it.duration)")
+    return _median("Slider to new motion on screen, no graphics card", times, "ms", "≤ 100")
 
 
 def _median(what: str, values: list[float], unit: str, aim: str) -> Row:
