@@ -50,28 +50,6 @@ def _targets(name: Text, points: tuple[tuple[float, ...], ...], space: str) -> l
 
 
 def _matching(space: str = SPACE) -> Document:
-    part: Document = {
-        "kind": "trials",
-        "id": "matching",
-        "task": {
-            "kind": "match",
-            "question": text(
-                "Make the blue figure walk like the green one.",
-                "Saa sininen hahmo kävelemään kuin vihreä.",
-                "青い人物を、緑の人物と同じように歩かせてください。",
-            ),
-            "hint": text(
-                "It need not be perfect: the page tells when it is close enough.",
-                "Täydellistä ei tarvita: sivu kertoo, milloin ero on tarpeeksi pieni.",
-                "完璧でなくて構いません。十分に近づくと、画面でお知らせします。",
-            ),
-            "space": space,
-            "threshold": THRESHOLD,
-            "practice_targets": _targets(text("Practice", "Harjoitus", "練習"), PRACTICE, space),
-        },
-        "stimuli": _targets(text("Target", "Kohde", "目標"), TARGETS, space),
-        "break_every": 12,
-    }
     return {
         "manner": 1,
         "slug": "matching-walks",
@@ -96,23 +74,8 @@ def _matching(space: str = SPACE) -> Document:
         "consent": consent(),
         "parts": [
             about_you(),
-            instructions(
-                text(
-                    "Of each walk you first guess where the sliders belong, without seeing what "
-                    "they do. Then you see the blue figure move and have five minutes with each "
-                    "kind of sliders.\n\n"
-                    "The first three walks are for practice.",
-                    "Kunkin kävelyn kohdalla arvaat ensin, mihin säätimet kuuluvat, näkemättä "
-                    "niiden vaikutusta. Sitten näet sinisen hahmon liikkuvan, ja sinulla on viisi "
-                    "minuuttia kullakin säädinlajilla.\n\n"
-                    "Kolme ensimmäistä kävelyä ovat harjoittelua varten.",
-                    "それぞれの歩き方について、まず動きを見ずにスライダーの位置を推測します。その後、"
-                    "青い人物の動きを見ながら、スライダーの種類ごとに5分以内で合わせます。\n\n"
-                    "最初の3つは練習です。",
-                ),
-                {EXAMPLE: text("Drag to look around", "Vedä katsoaksesi ympäri", "ドラッグで回転")},
-            ),
-            part,
+            _how_it_works(),
+            _targets_to_match(space),
             last_words(),
             debriefing(
                 text(
@@ -126,6 +89,50 @@ def _matching(space: str = SPACE) -> Document:
             ),
         ],
         "thanks": thanks(compared=True),
+    }
+
+
+def _how_it_works() -> Document:
+    return instructions(
+        text(
+            "Of each walk you first guess where the sliders belong, without seeing what "
+            "they do. Then you see the blue figure move and have five minutes with each "
+            "kind of sliders.\n\n"
+            "The first three walks are for practice; there you need not guess.",
+            "Kunkin kävelyn kohdalla arvaat ensin, mihin säätimet kuuluvat, näkemättä "
+            "niiden vaikutusta. Sitten näet sinisen hahmon liikkuvan, ja sinulla on viisi "
+            "minuuttia kullakin säädinlajilla.\n\n"
+            "Kolme ensimmäistä kävelyä ovat harjoittelua varten; niitä ei tarvitse arvata.",
+            "それぞれの歩き方について、まず動きを見ずにスライダーの位置を推測します。その後、"
+            "青い人物の動きを見ながら、スライダーの種類ごとに5分以内で合わせます。\n\n"
+            "最初の3つは練習で、推測する必要はありません。",
+        ),
+        {EXAMPLE: text("Drag to look around", "Vedä katsoaksesi ympäri", "ドラッグで回転")},
+    )
+
+
+def _targets_to_match(space: str) -> Document:
+    return {
+        "kind": "trials",
+        "id": "matching",
+        "task": {
+            "kind": "match",
+            "question": text(
+                "Make the blue figure walk like the green one.",
+                "Saa sininen hahmo kävelemään kuin vihreä.",
+                "青い人物を、緑の人物と同じように歩かせてください。",
+            ),
+            "hint": text(
+                "It need not be perfect: the page tells when it is close enough.",
+                "Täydellistä ei tarvita: sivu kertoo, milloin ero on tarpeeksi pieni.",
+                "完璧でなくて構いません。十分に近づくと、画面でお知らせします。",
+            ),
+            "space": space,
+            "threshold": THRESHOLD,
+            "practice_targets": _targets(text("Practice", "Harjoitus", "練習"), PRACTICE, space),
+        },
+        "stimuli": _targets(text("Target", "Kohde", "目標"), TARGETS, space),
+        "break_every": 12,
     }
 
 
