@@ -272,6 +272,7 @@ def test_without_a_connection_the_last_motion_stays_and_the_newest_place_follows
     assert duration(page) == lasted
     page.unroute("**/motion")
     page.get_by_role("button", name="Try now").click()
+    expect(page.get_by_text("The server cannot be reached.")).to_have_count(0)
     settled(page)
     assert duration(page) != lasted
 
