@@ -195,7 +195,8 @@ def held(
                 for name, (low, high) in check.answers.items()
             )
         case Repeated():
-            return _alike(answers, earlier or {}, 0 if chosen else check.within)
+            within = 0 if chosen or check.within is None else check.within
+            return _alike(answers, earlier or {}, within)
 
 
 def _alike(answers: Answers, earlier: Answers, within: float) -> bool | None:

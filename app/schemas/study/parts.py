@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from app.schemas.study.stimuli import ClipRef, Stimulus
 from app.schemas.study.tasks import OF_ONE, OF_TWO, Match, Task
 from app.schemas.study.words import Name, Part, Words
 
 MOST_TRIALS = 10_000  # of one part; a plan lists them all
+ALIKE = 1.0  # step; who answers anything at all is 1.6 of five steps off on average
+ALIKE_ON_SLIDERS = 20.0  # points; who answers anything at all is 33 of 100 off: as strict as a step
 
 
 class Instructed(Part):
@@ -32,13 +34,13 @@ class Repeated(Part):
     Attributes:
         count: how many clips come again, drawn at random.
         within: the check holds if the mean difference per scale, in steps (of a slider: points of
-            its 100), is at most this; a choice must be the same.
+            its 100), is at most this; left out, one step or 20 points. A choice must be the same.
     """
 
     kind: Literal["repeated"] = "repeated"
     id: Name
     count: Annotated[int, Field(ge=1, le=20)] = 1
-    within: Annotated[float, Field(ge=0, le=100)] = 1.0
+    within: Annotated[float, Field(ge=0, le=100)] | None = None
 
 
 class Catch(Part):
@@ -94,6 +96,21 @@ class Trials(Shown):
     ) = None
     checks: tuple[Check, ...] = ()
     break_every: Annotated[int, Field(ge=1)] | None = None
+
+    @field_validator("checks")
+    @classmethod
+    def _say_what_is_alike(
+        cls, checks: tuple[Check, ...], info: ValidationInfo
+    ) -> tuple[Check, ...]:
+        """A version says it itself, so that another default changes no study that was published."""
+        kind = getattr(info.data.get("task"), "kind", None)
+        within = ALIKE_ON_SLIDERS if kind in ("analogue", "parallel") else ALIKE
+        return tuple(
+            one.model_copy(update={"within": within})
+            if isinstance(one, Repeated) and one.within is None
+            else one
+            for one in checks
+        )
 
     @model_validator(mode="after")
     def _fits_its_clips(self) -> Self:

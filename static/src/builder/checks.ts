@@ -11,6 +11,9 @@ interface Asked {
   label: string;
 }
 
+/** On a slider of 100 points, 20 are as strict as one of five steps (app/schemas/study/parts.py). */
+const ON_SLIDERS = ["analogue", "parallel"];
+
 const KINDS: Record<string, { title: string; fields: readonly Field[]; blank: Obj; range: boolean | null }> = {
   instructed: {
     title: "Says what to answer", range: false,
@@ -21,9 +24,9 @@ const KINDS: Record<string, { title: string; fields: readonly Field[]; blank: Ob
     title: "A clip comes again", range: null,
     fields: [
       { type: "number", at: "count", label: "How many clips come again", min: 1, max: 20 },
-      { type: "number", at: "within", label: "Largest mean difference", min: 0, max: 100, step: "any", unit: "steps", hint: "In steps of the scale, or points of a slider. More counts as not attentive; a choice must be the same." },
+      { type: "number", at: "within", label: "Largest mean difference", min: 0, max: 100, step: "any", optional: true, hint: "In steps of the scale, or points of a slider. More counts as not attentive; a choice must be the same. Empty: 1 step, or 20 points." },
     ],
-    blank: { kind: "repeated", count: 1, within: 1 },
+    blank: { kind: "repeated", count: 1 },
   },
   catch: {
     title: "A clip that nobody can miss", range: true,
@@ -37,7 +40,8 @@ export function checksField(field: Extract<Field, { type: "checks" }>, path: Pat
   const part = at(editing.study, path.slice(0, -1));
   const add = (kind: string) => {
     const id = freeName(kind === "instructed" ? "instruction" : kind, checks.map((check) => textOf(check["id"])));
-    editing.set(path, [...checks, { ...KINDS[kind]!.blank, id }]);
+    const within = kind === "repeated" ? { within: ON_SLIDERS.includes(textOf(at(part, ["task", "kind"]))) ? 20 : 1 } : {};
+    editing.set(path, [...checks, { ...KINDS[kind]!.blank, ...within, id }]);
   };
   const asked = askedBy(part, editing);
   const possible = Object.entries(KINDS).filter(([, { range }]) => range === null || asked.length);

@@ -145,3 +145,30 @@ def test_a_study_that_closes_before_it_opens_is_refused() -> None:
     times = {"opens_at": "2027-02-01T00:00:00Z", "closes_at": "2027-01-01T00:00:00Z"}
     with pytest.raises(ValidationError, match="closes before it opens"):
         Running.model_validate(times)
+
+
+@pytest.mark.parametrize(
+    ("task", "steps_between"),
+    [
+        ({"kind": "likert", "items": [{"id": "a", "label": "A"}], "steps": list("12345")}, 4),
+        ({"kind": "analogue", "scales": [{"id": "a", "left": "l", "right": "r"}]}, 100),
+        ({"kind": "parallel", "low": "l", "high": "r"}, 100),
+    ],
+    ids=lambda one: one.get("kind") if isinstance(one, dict) else "",
+)
+def test_a_repeated_check_is_as_strict_on_sliders_as_on_steps(
+    document, task: dict, steps_between: int
+) -> None:
+    part = document["parts"][0]
+    part["task"] = {"question": "How?", **task}
+    part["checks"] = [{"kind": "repeated", "id": "again"}]
+    study = StudyDefinition.model_validate(document)
+    (check,) = study.trials[0].checks
+    ends = range(steps_between + 1)
+    guessed = sum(abs(one - other) for one in ends for other in ends) / len(ends) ** 2
+    assert check.within / guessed == pytest.approx(0.6, abs=0.03)
+    part["checks"][0]["within"] = 1
+    (told,) = StudyDefinition.model_validate(document).trials[0].checks
+    assert told.within == 1
+    stored = study.model_dump(mode="json")["parts"][0]["checks"][0]
+    assert stored["within"] == check.within, "a version says it, whatever the default becomes"
