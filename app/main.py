@@ -83,6 +83,7 @@ ROUTERS = (
     impressions.api,
     studies_api.api,
     studies_api.templates,
+    studies_api.in_the_making,
     exports.router,
     keys.router,
     batches.router,

@@ -24,8 +24,11 @@ from app.schemas.errors import BUSY, ERRORS
 from app.schemas.sessions import Moved, SessionView
 from app.schemas.studies_api import (
     Changes,
+    ClipsAdded,
+    DraftList,
     InvitationList,
     InvitationRequest,
+    NewClips,
     NewStudy,
     SavedDraft,
     StateChange,
@@ -34,11 +37,15 @@ from app.schemas.studies_api import (
     TemplateList,
 )
 from app.schemas.study import Language, Running
-from app.services import drafts, new_studies, publishing
+from app.services import draft_clips, drafts, new_studies, publishing
 
 api = APIRouter(prefix="/api/v1/studies", tags=["studies"], responses=ERRORS)
 templates = APIRouter(prefix="/api/v1/study-templates", tags=["studies"], responses=ERRORS)
+in_the_making = APIRouter(prefix="/api/v1/study-drafts", tags=["studies"], responses=ERRORS)
 
+Seen = Annotated[
+    datetime | None, Query(description="`saved_at` of the draft that this one was made from")
+]
 MEDIA_TYPES = {"yaml": "application/yaml", "json": "application/json"}
 FILE: dict[int | str, dict[str, Any]] = {
     200: {
@@ -55,6 +62,12 @@ FILE: dict[int | str, dict[str, Any]] = {
 def list_study_templates(_: Reader) -> TemplateList:
     """The studies that come with the server to begin with."""
     return new_studies.templates()
+
+
+@in_the_making.get("")
+def list_study_drafts(caller: Reader, db: Reading) -> DraftList:
+    """What is being edited of every study that the caller may change: which parts take clips."""
+    return draft_clips.listed(db, caller.researcher_id)
 
 
 @api.get("")
@@ -91,18 +104,22 @@ def delete_study(access: StudyOwner, db: Writing) -> None:
 
 @api.put("/{slug}/draft")
 def save_draft(
-    access: StudyEditor,
-    draft: dict[str, Any],
-    db: Writing,
-    seen: Annotated[
-        datetime | None, Query(description="`saved_at` of the draft that this one was made from")
-    ] = None,
+    access: StudyEditor, draft: dict[str, Any], db: Writing, seen: Seen = None
 ) -> SavedDraft:
     """Keep a draft, whatever is still wrong with it; the answer tells what is.
 
     With `seen`, a draft that somebody else saved since then is not written over.
     """
     return drafts.save(db, access, draft, seen)
+
+
+@api.post("/{slug}/draft/clips")
+def add_clips(access: StudyEditor, wanted: NewClips, db: Writing, seen: Seen = None) -> ClipsAdded:
+    """Give a part of the draft more clips; those that it has already are not added again.
+
+    Nothing changes for participants until the draft is published.
+    """
+    return draft_clips.add(db, access, wanted, seen)
 
 
 @api.delete("/{slug}/draft")

@@ -12,6 +12,8 @@ from app.schemas.sessions import storable
 from app.schemas.study import Running
 
 State = Literal["draft", "open", "paused", "closed"]
+MOST_CLIPS = 1000
+ClipId = Annotated[str, Field(max_length=64), BeforeValidator(storable)]
 Label = Annotated[str, Field(min_length=1, max_length=64), BeforeValidator(storable)]
 
 
@@ -119,6 +121,8 @@ class NewStudy(BaseModel):
         template: id of one of the templates.
         definition: a study file's content; it need not be complete.
         title: in the place of the template's own.
+        clips: ids, for the first part that asks about clips, in the place of its own; an empty
+            study gets such a part.
     """
 
     model_config = ConfigDict(extra="forbid", json_schema_extra={"example": {"title": "Gaits"}})
@@ -127,6 +131,7 @@ class NewStudy(BaseModel):
     definition: dict[str, Any] | None = None
     file: UploadedFile | None = None
     title: str | None = Field(default=None, min_length=1, max_length=200)
+    clips: list[ClipId] = Field(default=[], max_length=MOST_CLIPS)
 
     @model_validator(mode="after")
     def _says_one(self) -> Self:
@@ -141,6 +146,73 @@ class SavedDraft(BaseModel):
     saved_at: datetime
     problems: list[Problem]
     can_be_shown: bool
+
+
+class AskingPart(BaseModel):
+    """A part of a study that asks about clips.
+
+    Attributes:
+        task: the kind of its question.
+        clips: how many it has.
+    """
+
+    id: str
+    task: str
+    clips: int
+
+
+class StudyDraft(BaseModel):
+    """What is being edited of a study: the draft, or the newest version where there is none.
+
+    Attributes:
+        version: number of the newest version; None before the first was published.
+        parts: those that ask about clips.
+    """
+
+    slug: str
+    title: str
+    state: State
+    version: int | None
+    languages: list[str]
+    parts: list[AskingPart]
+
+
+class DraftList(BaseModel):
+    """What is being edited of every study that the caller may change."""
+
+    drafts: list[StudyDraft]
+
+
+class NewClips(BaseModel):
+    """Clips for a study, by their ids.
+
+    Attributes:
+        part: that shall have them; left out, the first that asks about clips. A study without any
+            gets one, with one question.
+    """
+
+    model_config = ConfigDict(
+        extra="forbid", json_schema_extra={"example": {"clips": ["0f4c2b5f…"], "part": "walks"}}
+    )
+
+    clips: list[ClipId] = Field(min_length=1, max_length=MOST_CLIPS)
+    part: Annotated[str, Field(max_length=60)] | None = None
+
+
+class ClipsAdded(BaseModel):
+    """Clips that a study has now.
+
+    Attributes:
+        title: of the study.
+        part: that has them.
+        added, already: ids of those that are new there, and of those that were there before.
+    """
+
+    title: str
+    part: str
+    added: list[str]
+    already: list[str]
+    draft: SavedDraft
 
 
 class Changes(BaseModel):

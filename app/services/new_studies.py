@@ -15,7 +15,7 @@ from app.persistence import studies as store
 from app.persistence.models import Study, now
 from app.schemas.studies_api import NewStudy, TemplateLine, TemplateList, UploadedFile
 from app.schemas.study import Running
-from app.services import audit, drafts, rights, studies, study_files
+from app.services import audit, draft_clips, drafts, rights, studies, study_files
 from app.services.rights import Access
 from app.studies import TEMPLATES
 
@@ -36,8 +36,9 @@ def make(db: Session, wanted: NewStudy, researcher_id: int) -> Access:
     """A new study as asked for.
 
     Raises:
-        NotFoundError: no such template.
-        InvalidError: the file cannot be read; where.faults has each line.
+        NotFoundError: no such template, or no such clip.
+        InvalidError: the file cannot be read; where.faults has each line. Or a clip cannot be
+            shown.
     """
     running = Running()
     if wanted.template is not None:
@@ -50,6 +51,8 @@ def make(db: Session, wanted: NewStudy, researcher_id: int) -> Access:
         definition = empty(wanted.title or "Untitled study")
     if wanted.title is not None:
         definition = {**definition, "title": wanted.title, "slug": ""}
+    if wanted.clips:
+        definition = draft_clips.begun_with(db, definition, wanted.clips)
     return create(db, definition, researcher_id, running)
 
 
