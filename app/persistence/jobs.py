@@ -59,6 +59,11 @@ def claim(db: Session) -> uuid.UUID | None:
     return job_id
 
 
+def kind(db: Session, job_id: uuid.UUID) -> str:
+    """What a job does."""
+    return db.scalars(select(Job.kind).where(Job.id == job_id)).one()
+
+
 def is_running(db: Session, job_id: uuid.UUID) -> bool:
     """Whether the job is still to be worked at: nobody has cancelled it."""
     return db.scalar(select(Job.state).where(Job.id == job_id)) == "running"
@@ -82,6 +87,19 @@ def settle(db: Session, job_id: uuid.UUID, outcomes: Mapping[int, dict[str, Any]
     job.failed = sum(item["error"] is not None for item in items)
     db.flush()
     return True
+
+
+def advance(db: Session, job_id: uuid.UUID, done: int) -> bool:
+    """Write down how much is done; false if the job was cancelled meanwhile."""
+    running = update(Job).where(Job.id == job_id, Job.state == "running")
+    return db.execute(running.values(done=done).returning(Job.id)).first() is not None
+
+
+def conclude(db: Session, job_id: uuid.UUID, outcome: dict[str, Any]) -> bool:
+    """Keep the one outcome of a job and end it; false if it was cancelled meanwhile."""
+    running = update(Job).where(Job.id == job_id, Job.state == "running")
+    values = running.values(items=[outcome], done=Job.total, state="done", ended_at=now())
+    return db.execute(values.returning(Job.id)).first() is not None
 
 
 def end(db: Session, job_id: uuid.UUID, state: str) -> bool:

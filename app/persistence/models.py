@@ -247,8 +247,9 @@ class Job(Base):
 
     Attributes:
         state: ``waiting``, ``running``, ``done``, ``cancelled`` or ``failed``.
-        request: what is to be done; items: one outcome each, in its order.
-        total, done, failed: numbers of items.
+        kind: ``clips``, or ``stability`` of an analysis.
+        request: what is to be done; items: one outcome each, in its order (of a bootstrap the one).
+        total, done, failed: numbers of items, or of a bootstrap's pieces.
     """
 
     __tablename__ = "jobs"

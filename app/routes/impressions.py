@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from datetime import datetime
 from typing import Annotated, Literal
+from uuid import UUID
 
 from fastapi import APIRouter, Depends, Query, Request
 from fastapi.responses import Response
@@ -28,6 +29,7 @@ from app.dependencies import (
 from app.pages import render
 from app.schemas.errors import BUSY, ERRORS
 from app.schemas.impressions import AnalysisChoices, Comparison, Freeze, Impressions, Stability
+from app.schemas.jobs import JobDetail
 from app.schemas.results import SessionKind
 from app.schemas.spaces import SpaceLine
 from app.services import (
@@ -39,7 +41,7 @@ from app.services import (
 )
 from app.services import impressions as service
 from app.services.impressions import Live
-from app.settings import Settings
+from app.services.job_runner import JobRunner
 
 router = APIRouter(prefix="/research/studies/{slug}/impressions", include_in_schema=False)
 api = APIRouter(prefix="/api/v1/studies/{slug}/impressions", tags=["impressions"], responses=ERRORS)
@@ -57,12 +59,6 @@ def _live(
     return Live(least_peak, most_spread, clusters)
 
 
-async def _scheduler(request: Request) -> str:
-    settings: Settings = request.app.state.settings
-    return settings.scheduler
-
-
-Scheduler = Annotated[str, Depends(_scheduler)]
 TriedOut = Annotated[Live, Depends(_live)]
 
 
@@ -113,22 +109,39 @@ def read_impressions(
     return service.impressions(db, access.slug, access.role, part, kind, live)
 
 
-@api.get("/{part}/stability", responses=BUSY)
-def read_stability(
+@api.post("/{part}/stability", responses={**BUSY, 202: {"model": JobDetail}})
+def draw_stability(
     access: StudyViewer,
     part: str,
+    request: Request,
+    response: Response,
     database: CurrentDatabase,
     workers: CurrentWorkers,
-    scheduler: Scheduler,
     live: TriedOut,
     kind: SessionKind = "participant",
     samples: Annotated[int, Query(ge=10, le=10_000)] = 1000,
     seed: Annotated[int, Query(ge=0, lt=2**32)] = 1,
-) -> Stability:
-    """How the analysis would differ with other participants: a bootstrap, the same by seed."""
-    return impression_stability.stability(
-        database, workers, scheduler, access.slug, part, kind, live, samples, seed
+) -> Stability | JobDetail:
+    """How the analysis would differ with other participants: a bootstrap, the same by seed.
+
+    A large one becomes a job (202), whose address is in `Location`; its result is at
+    `stability/{job}` once it is done.
+    """
+    found = impression_stability.stability(
+        database, workers, access, part, kind, live, samples, seed
     )
+    if isinstance(found, JobDetail):
+        runner: JobRunner = request.app.state.jobs
+        runner.wake()
+        response.status_code = 202
+        response.headers["Location"] = f"/api/v1/jobs/{found.id}"
+    return found
+
+
+@api.get("/{part}/stability/{job}")
+def read_stability(access: StudyViewer, part: str, job: UUID, db: Reading) -> Stability:
+    """What a large bootstrap has found."""
+    return impression_stability.result(db, access, part, job)
 
 
 @api.get("/{part}/comparison")

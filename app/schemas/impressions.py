@@ -159,13 +159,42 @@ class ClusterStability(BaseModel):
     overlap: float
 
 
-class ByParticipants(BaseModel):
-    """How like the whole solution one from so many participants is: the adjusted Rand index."""
+class Agreement(BaseModel):
+    """Adjusted Rand index: the mean of the samples, and where the middle 95 % of them lie."""
 
-    participants: int
     mean: float
     low: float
     high: float
+
+
+class ByParticipants(BaseModel):
+    """How like the solution of all one from so many participants is.
+
+    Attributes:
+        whole, shared: as in `Stability`.
+        kept_alike: mean share of pairs that are kept, or left out, as by all participants.
+    """
+
+    participants: int
+    whole: Agreement
+    shared: Agreement | None
+    kept_alike: float
+
+
+class Enough(BaseModel):
+    """How many participants would do.
+
+    Attributes:
+        index: what the mean adjusted Rand index has to reach.
+        whole: the least number tried from which on it does for the whole solution, shared: for how
+            kept pairs are grouped; None if even `most`, the greatest number tried, does not.
+    """
+
+    index: float
+    most: int
+    whole: int | None
+    shared: int | None
+    sentence: str
 
 
 class Stability(BaseModel):
@@ -173,19 +202,21 @@ class Stability(BaseModel):
 
     Attributes:
         clusters: as the tree is cut, moves by hand aside.
-        rand_mean, rand_low, rand_high: adjusted Rand index with the solution of all participants,
-            and the middle 95 % of the samples; None where no sample keeps enough pairs.
-        by_participants: the same for other numbers of participants, those that keep enough pairs.
+        whole: agreement with the solution of all participants, over all pairs that were asked;
+            those left out are a group of their own.
+        shared: the same over the pairs that both keep; None where no sample keeps enough.
+        by_participants: the same for other numbers of participants.
     """
 
     samples: int
     seed: int
+    participants: int
     pairs: list[PairStability]
     clusters: list[ClusterStability]
-    rand_mean: float | None
-    rand_low: float | None
-    rand_high: float | None
+    whole: Agreement
+    shared: Agreement | None
     by_participants: list[ByParticipants]
+    enough: Enough
     sentence: str
 
 

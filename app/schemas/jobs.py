@@ -80,8 +80,9 @@ class JobView(BaseModel):
     """Long work and how far it is.
 
     Attributes:
+        kind: `clips`, or `stability` of an analysis of impressions.
         total: number of clips; done: of those that are kept; failed: of those that could not be
-            made. What a cancelled job has made stays.
+            made. What a cancelled job has made stays. A bootstrap counts pieces of its work.
     """
 
     model_config = ConfigDict(
@@ -122,7 +123,7 @@ class JobItem(BaseModel):
 
 
 class JobDetail(JobView):
-    """A job with what became of each clip."""
+    """A job with what became of each clip, if it makes any."""
 
     items: list[JobItem]
 

@@ -74,7 +74,9 @@ def cancel(db: Session, job_id: UUID) -> JobDetail:
 
 
 def detail(job: Job) -> JobDetail:
-    """What the API tells of a job."""
+    """What the API tells of a job. Only a job of clips has items."""
+    if job.kind != "clips":
+        return JobDetail.model_validate({**JobView.model_validate(job).model_dump(), "items": []})
     items = [
         JobItem(source=order["source"], name=order["name"], **outcome)
         for order, outcome in zip(job.request["items"], job.items, strict=True)

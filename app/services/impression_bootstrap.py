@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from app.statistics.intervals import Samples
-from app.statistics.stability import BySize, Stability, stability
+from app.statistics.stability import Bootstrap, BySize, Drawn, sizes
 
-PIECE = 1000  # samples
+PIECE = 250  # samples
+MOST_BY_SIZE = 200  # samples for each number of participants
 
 
 class Order(NamedTuple):
@@ -29,7 +30,12 @@ class Order(NamedTuple):
 
     @property
     def pieces(self) -> int:
-        """How many pieces there are."""
+        """How many pieces there are: some samples each, then each number of participants."""
+        return self.pieces_drawn + len(sizes(len(self.ratings)))
+
+    @property
+    def pieces_drawn(self) -> int:
+        """How many of them are of as many participants as there are."""
         return -(-self.samples // PIECE)
 
     @property
@@ -40,11 +46,12 @@ class Order(NamedTuple):
 
 
 class Combined(NamedTuple):
-    """The pieces together; arrays as `Stability` has them."""
+    """The pieces together; arrays as `Drawn` has them."""
 
     kept_share: Samples
     cluster_stability: Samples
-    rand: Samples
+    whole: Samples
+    shared: Samples
     by_participants: tuple[BySize, ...]
 
 
@@ -53,26 +60,31 @@ def whole(order: Order) -> Combined:
     return combined([piece(order, number) for number in range(order.pieces)])
 
 
-def piece(order: Order, number: int) -> Stability:
-    """One piece; the first one also tries other numbers of participants."""
-    seeds = np.random.SeedSequence(order.seed).spawn(order.pieces)
-    return stability(
+def piece(order: Order, number: int) -> Drawn | BySize:
+    """One piece."""
+    seed = np.random.SeedSequence(order.seed).spawn(order.pieces)[number]
+    generator = np.random.default_rng(seed)
+    bootstrap = Bootstrap.of(
         order.ratings,
         least_peak=order.least_peak,
         most_spread=order.most_spread,
         clusters=order.clusters,
-        samples=min(PIECE, order.samples - number * PIECE),
-        generator=np.random.default_rng(seeds[number]),
-        sizes=() if number else None,
     )
+    if number < order.pieces_drawn:
+        return bootstrap.drawn(min(PIECE, order.samples - number * PIECE), generator)
+    participants = sizes(len(order.ratings))[number - order.pieces_drawn]
+    samples = max(min(order.samples // 5, MOST_BY_SIZE), 1)
+    return bootstrap.by_size(participants, samples, generator)
 
 
-def combined(pieces: Sequence[Stability]) -> Combined:
+def combined(pieces: Sequence[Drawn | BySize]) -> Combined:
     """The pieces in their order as one."""
-    weights = [len(one.rand) for one in pieces]
+    drawn = [one for one in pieces if isinstance(one, Drawn)]
+    weights = [len(one.whole) for one in drawn]
     return Combined(
-        np.average([one.kept_share for one in pieces], axis=0, weights=weights),
-        np.average([one.cluster_stability for one in pieces], axis=0, weights=weights),
-        np.concatenate([one.rand for one in pieces]),
-        pieces[0].by_participants,
+        np.average([one.kept_share for one in drawn], axis=0, weights=weights),
+        np.average([one.cluster_stability for one in drawn], axis=0, weights=weights),
+        np.concatenate([one.whole for one in drawn]),
+        np.concatenate([one.shared for one in drawn]),
+        tuple(one for one in pieces if isinstance(one, BySize)),
     )

@@ -17,10 +17,13 @@ from app.persistence.engine import Database
 from app.persistence.locks import job_lock
 from app.persistence.writer import Writer
 from app.services.batch_run import BatchRun
+from app.services.impression_run import BootstrapRun
 from app.services.job_pool import JobPool
 
 LOOK_EVERY = 2.0  # seconds; for jobs that came in at other servers
 IDLE = 20.0  # seconds until the pool's processes end: they hold 100 MB each
+
+RUNS: dict[str, type[BatchRun | BootstrapRun]] = {"clips": BatchRun, "stability": BootstrapRun}
 
 log = structlog.get_logger("manner")
 
@@ -73,7 +76,9 @@ class JobRunner:
         return None if self._closing.is_set() else self._writer.write(jobs.claim)
 
     def _run(self, job_id: UUID) -> None:
-        run = BatchRun(self._database, self._writer, self._pool, job_id, self._closing.is_set)
+        with self._database.reading() as db:
+            run_of = RUNS[jobs.kind(db, job_id)]
+        run = run_of(self._database, self._writer, self._pool, job_id, self._closing.is_set)
         try:
             run.run()
         except Exception:

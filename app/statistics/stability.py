@@ -29,127 +29,137 @@ DROPPED = -1  # the label of a pair that is not kept
 _AT_ONCE = 2_000_000  # means held at once, 16 MB; more samples are taken in turn
 
 
+class Agreement(NamedTuple):
+    """Adjusted Rand index over samples; NaN where none has one.
+
+    Attributes:
+        mean: of the samples.
+        low: the middle 95 % of the samples begins here.
+        high: and ends here.
+    """
+
+    mean: float
+    low: float
+    high: float
+
+    @staticmethod
+    def of(values: Sequence[float] | Samples) -> Agreement:
+        """Of all samples that have one."""
+        known = present(np.asarray(values, dtype=np.float64))
+        if not known.size:
+            return Agreement(np.nan, np.nan, np.nan)
+        low, high = np.quantile(known, [0.025, 0.975])
+        return Agreement(float(known.mean()), float(low), float(high))
+
+
 class BySize(NamedTuple):
-    """What so many participants would give.
+    """What so many participants would give, against the solution of all.
 
     Attributes:
         participants: how many are drawn.
-        rand: mean adjusted Rand index with the solution of all.
-        low: the middle 95 % of the samples begins here.
-        high: and ends here.
+        whole: which pairs are kept and how they are grouped: over all pairs that were asked,
+            those left out being a group of their own.
+        shared: how pairs are grouped, over the pairs that both keep.
         kept_alike: mean share of pairs that are kept, or dropped, as by all participants.
     """
 
     participants: int
-    rand: float
-    low: float
-    high: float
+    whole: Agreement
+    shared: Agreement
     kept_alike: float
 
 
 @dataclass(frozen=True)
-class Stability:
-    """What stays when the participants are drawn anew.
+class Drawn:
+    """What stays when as many participants are drawn anew.
 
     Attributes:
-        labels: the solution of all participants (pairs,); −1 for dropped pairs.
         kept_share: how often each pair is kept (pairs,).
-        together: how often two pairs are in one cluster (pairs, pairs), of the samples that keep
-            both; NaN where none does.
         cluster_stability: Hennig's, of each cluster: the mean over the samples of the greatest
             Jaccard similarity with a cluster of the sample; pairs that a sample drops are missing
             from its clusters.
-        rand: adjusted Rand index of each sample's clusters with the full solution, over the pairs
-            that both keep (samples,); NaN where fewer pairs are kept than clusters are wanted.
-        by_participants: the same for other numbers of participants.
+        whole: adjusted Rand index of each sample with the full solution (samples,), over all pairs
+            that were asked, those left out being a group of their own.
+        shared: the same over the pairs that both keep; NaN where fewer pairs are kept than clusters
+            are wanted.
     """
 
-    labels: Labels
     kept_share: Samples
-    together: Samples
     cluster_stability: Samples
-    rand: Samples
-    by_participants: tuple[BySize, ...]
+    whole: Samples
+    shared: Samples
 
 
-def stability(
-    ratings: Samples,
-    *,
-    least_peak: float = 1.0,
-    most_spread: float = 0.85,
-    clusters: int = 4,
-    samples: int = 1000,
-    generator: np.random.Generator,
-    sizes: Sequence[int] | None = None,
-) -> Stability:
-    """Bootstrap the whole way from ratings to clusters.
+@dataclass(frozen=True)
+class Bootstrap:
+    """The whole way from ratings to clusters, to be gone again with other participants.
 
     Drawing with replacement makes variances smaller by (n − 1)/n on average, n people having
     rated; the samples' variances are corrected for it, or spreads would seem to keep pairs.
 
-    Args:
-        ratings: (participants, clips, pairs), NaN where not rated. Clips of which a sample has no
-            rating of a kept pair are left out of its clustering.
-        least_peak: of equation 3.
-        most_spread: of equation 3.
-        clusters: how many the trees are cut into.
-        samples: how many are drawn with as many participants as there are; a fifth of it for
-            each other number.
-        generator: of the draws.
-        sizes: other numbers of participants; some up to twice as many as there are, if not given.
-            Those, too, are drawn with replacement from the participants there are: beyond their
-            number it is told what more of the like would give.
-
-    Raises:
-        ValueError: fewer than two participants, or fewer kept pairs than clusters.
+    Attributes:
+        labels: the solution of all participants (pairs,); −1 for dropped pairs.
     """
-    rated = _Rated.of(ratings, least_peak, most_spread, clusters)
-    quantified = quantify(ratings)
-    full = _solution(quantified.mean, kept(quantified, least_peak, most_spread), clusters)
-    if full is None:
-        raise ValueError(f"fewer pairs are kept than the {clusters} clusters that are wanted")
-    tally = _Tally(full)
-    for stays, labels in rated.solutions(len(ratings), samples, generator):
-        tally.add(stays, labels)
-    wanted = _sizes(len(ratings)) if sizes is None else sizes
-    by_size = tuple(rated.by_size(full, n, max(samples // 5, 1), generator) for n in wanted)
-    return tally.result(by_size)
 
+    labels: Labels
+    _rated: _Rated
 
-class _Tally:
-    """Counts over the samples."""
+    @staticmethod
+    def of(
+        ratings: Samples, *, least_peak: float = 1.0, most_spread: float = 0.85, clusters: int = 4
+    ) -> Bootstrap:
+        """Prepare it.
 
-    def __init__(self, full: Labels) -> None:
-        pairs = len(full)
-        self._full = full
-        self._kept = np.zeros(pairs)
-        self._both, self._together = np.zeros((2, pairs, pairs))
-        self._jaccard: list[Samples] = []
-        self._rand: list[float] = []
+        Args:
+            ratings: (participants, clips, pairs), NaN where not rated. Clips of which a sample has
+                no rating of a kept pair are left out of its clustering.
+            least_peak: of equation 3.
+            most_spread: of equation 3.
+            clusters: how many the trees are cut into.
 
-    def add(self, stays: Chosen, labels: Labels | None) -> None:
-        self._kept += stays
-        self._rand.append(_rand(self._full, labels))
-        if labels is None:  # no cluster is found again
-            self._jaccard.append(np.zeros(self._full.max() + 1))
-            return
-        both = np.outer(stays, stays)
-        self._both += both
-        self._together += (labels[:, None] == labels) & both
-        self._jaccard.append(best_jaccard(self._full, labels))
+        Raises:
+            ValueError: fewer than two participants, or fewer kept pairs than clusters.
+        """
+        rated = _Rated.of(ratings, least_peak, most_spread, clusters)
+        quantified = quantify(ratings)
+        chosen = kept(quantified, least_peak, most_spread)
+        labels = _solution(quantified.mean, chosen, clusters)
+        if labels is None:
+            raise ValueError(f"fewer pairs are kept than the {clusters} clusters that are wanted")
+        return Bootstrap(labels, rated)
 
-    def result(self, by_size: tuple[BySize, ...]) -> Stability:
-        with np.errstate(invalid="ignore"):
-            together = self._together / self._both
-        count = len(self._rand)
-        return Stability(
-            self._full,
-            self._kept / count,
-            together,
-            np.mean(self._jaccard, axis=0),
-            np.array(self._rand),
-            by_size,
+    def drawn(self, samples: int, generator: np.random.Generator) -> Drawn:
+        """So many samples of as many participants as there are."""
+        full = self.labels
+        found = list(self._rated.solutions(len(self._rated.values), samples, generator))
+        nothing = np.zeros(full.max() + 1)  # where no clusters are, none is found again
+        jaccard = [nothing if labels is None else best_jaccard(full, labels) for _, labels in found]
+        return Drawn(
+            np.mean([stays for stays, _ in found], axis=0),
+            np.mean(jaccard, axis=0),
+            np.array([_whole(full, *one) for one in found]),
+            np.array([_shared(full, labels) for _, labels in found]),
         )
+
+    def by_size(self, participants: int, samples: int, generator: np.random.Generator) -> BySize:
+        """So many samples of another number of participants.
+
+        They, too, are drawn with replacement from the participants there are: beyond their number
+        it is told what more of the like would give.
+        """
+        full = self.labels
+        found = list(self._rated.solutions(participants, samples, generator))
+        return BySize(
+            participants,
+            Agreement.of([_whole(full, *one) for one in found]),
+            Agreement.of([_shared(full, labels) for _, labels in found]),
+            float(np.mean([stays == (full >= 0) for stays, _ in found])),
+        )
+
+
+def sizes(there: int) -> list[int]:
+    """Some numbers of participants to try, from three to twice as many as there are."""
+    return sorted({max(3, round(there * part)) for part in (0.25, 0.4, 0.6, 0.8, 1, 1.5, 2)})
 
 
 @dataclass(frozen=True)
@@ -194,17 +204,6 @@ class _Rated:
             for of_sample, stays in zip(mean, chosen, strict=True):
                 yield stays, _solution(of_sample, stays, self.clusters)
 
-    def by_size(
-        self, full: Labels, participants: int, samples: int, generator: np.random.Generator
-    ) -> BySize:
-        solutions = list(self.solutions(participants, samples, generator))
-        alike = float(np.mean([stays == (full >= 0) for stays, _ in solutions]))
-        rand = present([_rand(full, labels) for _, labels in solutions])
-        if not rand.size:
-            return BySize(participants, np.nan, np.nan, np.nan, alike)
-        low, high = np.quantile(rand, [0.025, 0.975])
-        return BySize(participants, float(rand.mean()), float(low), float(high), alike)
-
     def _quantified(self, draws: Samples) -> tuple[Samples, Chosen]:
         """Means (samples, clips, pairs) and kept pairs (samples, pairs), people weighted."""
         counts, there = draws @ self.known, self.known.sum(axis=0)
@@ -243,13 +242,16 @@ def _solution(mean: Samples, chosen: Chosen, clusters: int) -> Labels | None:
     return labels
 
 
-def _rand(full: Labels, labels: Labels | None) -> float:
+def _whole(full: Labels, stays: Chosen, labels: Labels | None) -> float:
+    """The index over all pairs, those left out being a group; of too few kept, each is one."""
+    if labels is None:
+        labels = np.where(stays, np.cumsum(stays) - 1, DROPPED)
+    return adjusted_rand(full + 1, labels + 1)
+
+
+def _shared(full: Labels, labels: Labels | None) -> float:
+    """The index over the pairs that both keep."""
     if labels is None:
         return np.nan
     both = (full >= 0) & (labels >= 0)
     return adjusted_rand(full[both], labels[both])
-
-
-def _sizes(there: int) -> list[int]:
-    """Some numbers of participants, from three to twice as many as there are."""
-    return sorted({max(3, round(there * part)) for part in (0.25, 0.4, 0.6, 0.8, 1, 1.5, 2)})

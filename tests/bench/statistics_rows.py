@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.statistics.stability import stability
+from app.services.impression_bootstrap import Order, whole
 from app.studies.simulated_impressions import simulated_ratings
 from tests.bench.measure import Row, durations
 
@@ -18,7 +18,7 @@ def rows(_: Path) -> list[Row]:
     ratings = simulated_ratings("set_b", np.random.default_rng(1))
 
     def run() -> object:
-        return stability(ratings, samples=SAMPLES, generator=np.random.default_rng(2))
+        return whole(Order(ratings, 1.0, 0.85, 4, SAMPLES, 2))
 
     what = f"{SAMPLES} bootstrap samples, 14 × 27 clips × 41 pairs, and 7 numbers of participants"
     return durations(what, {"one processor": run}, aim="≤ 5000")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 import pytest
 
 from app.persistence.models import Researcher
-from app.services import rights
+from app.services import impression_stability, rights
+from app.services.job_runner import JobRunner
 from tests.support import rated_pairs
 
 GROUPS = [3, 2, 4]
@@ -101,11 +104,23 @@ def test_an_editor_changes_what_everybody_sees(signed_in, database, researcher, 
 
 def test_the_bootstrap_is_the_same_by_seed(signed_in, study):
     query = f"{OF_PART}/stability?samples=20&clusters=3&seed=5"
-    first = signed_in.get(query)
+    first = signed_in.post(query)
     assert first.status_code == 200
-    assert first.json() == signed_in.get(query).json()
+    assert first.json() == signed_in.post(query).json()
     assert first.json()["samples"] == 20
-    assert signed_in.get(f"{OF_PART}/stability?samples=10001").status_code == 422
+    assert signed_in.post(f"{OF_PART}/stability?samples=10001").status_code == 422
+
+
+def test_a_large_bootstrap_is_a_job_that_can_be_cancelled(signed_in, study, monkeypatch):
+    monkeypatch.setattr(impression_stability, "AT_ONCE", 1)
+    monkeypatch.setattr(JobRunner, "_run", lambda *_: time.sleep(0.01))  # it never ends
+    asked = signed_in.post(f"{OF_PART}/stability?samples=20&clusters=3")
+    assert asked.status_code == 202
+    job = asked.json()["id"]
+    assert asked.headers["location"] == f"/api/v1/jobs/{job}"
+    assert signed_in.get(f"{OF_PART}/stability/{job}").json()["error"]["code"] == "job_not_done"
+    assert signed_in.delete(f"/api/v1/jobs/{job}").json()["state"] == "cancelled"
+    assert job in [one["id"] for one in signed_in.get("/api/v1/jobs").json()["jobs"]]
 
 
 def test_two_studies_stand_side_by_side(signed_in, study):
