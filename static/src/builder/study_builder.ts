@@ -47,9 +47,10 @@ export class StudyBuilder extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.open(JSON.parse(document.getElementById("study")!.textContent!) as Study);
-    const asked = decodeURIComponent(location.hash.slice(1));
+    const [asked = "", member] = decodeURIComponent(location.hash.slice(1)).split("/");
     const index = partsOf(this.draft).findIndex(({ id }) => id === asked);
-    if (index >= 0) this.selected = index;
+    if (index >= 0 && member) this.goTo(["parts", index, member]);
+    else if (index >= 0) this.selected = index;
     else if (asked === "welcome" || asked === "thanks") this.selected = asked;
     else if (partsOf(this.draft).length) this.selected = 0;
     void this.loadClips();

@@ -1,5 +1,6 @@
 import "../styles/library.css";
 import "../styles/picker.css";
+import "../styles/dialogs.css";
 import "../styles/builder.css";
 import "../viewer/thumbnails";
 import "../builder/study_builder";

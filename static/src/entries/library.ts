@@ -1,3 +1,4 @@
 import "../styles/library.css";
 import "../styles/body.css";
+import "../styles/dialogs.css";
 import "../library/clip_library";

@@ -1,5 +1,7 @@
 import "../styles/library.css";
+import "../styles/dialogs.css";
 import "../styles/studio.css";
 import "../styles/time-strip.css";
 import "../viewer";
+import "../builder/use_in_study";
 import "../studio/motion_studio";

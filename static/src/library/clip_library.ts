@@ -8,8 +8,10 @@ import { icon } from "../icons";
 import { drawer } from "./drawer";
 import { DropZone } from "./drop_zone";
 import { ImportQueue, type ImportItem } from "./imports";
-import { caption, filtersOf, find, type Clip, type Imported } from "./model";
+import { filtersOf, find, type Clip, type Imported } from "./model";
 import type { Corrections } from "./corrections";
+import { cardOf } from "./card";
+import { chosenBar, isUsable } from "./chosen";
 import "../viewer/thumbnails";
 
 @customElement("clip-library")
@@ -22,6 +24,8 @@ export class ClipLibrary extends LitElement {
   /** The import whose report or failure the drawer shows. */
   @state() private open: ImportItem | undefined;
   @state() private correcting = false;
+  /** The clips that are chosen to do something with; null while clips are opened, not chosen. */
+  @state() private chosen: readonly string[] | null = null;
   private readonly queue = new ImportQueue(this, (item) => this.settle(item));
   private readonly dropZone = new DropZone(this, (files) => this.take(files));
 
@@ -138,7 +142,7 @@ export class ClipLibrary extends LitElement {
 
   protected override render(): TemplateResult {
     return html`<div class="library-main">
-        <header class="page-header"><h1>Library</h1>${this.importButton()}</header>
+        <header class="page-header"><h1>Library</h1><div class="buttons">${this.chooseButton()}${this.importButton()}</div></header>
         ${this.problem ? problemNote(this.problem, () => void this.load()) : nothing}
         ${this.clips?.length ? this.filters(this.clips) : nothing}
         ${this.progress()}
@@ -159,6 +163,11 @@ export class ClipLibrary extends LitElement {
     };
     return html`<label class="button primary file-button">${icon("import")}${word}
       <input type="file" accept=".bvh" multiple @change=${choose} @keydown=${openByEnter}></label>`;
+  }
+
+  private chooseButton(): TemplateResult | typeof nothing {
+    if (!this.signedIn || !this.clips?.length) return nothing;
+    return html`<button class="button quiet" type="button" aria-pressed=${this.chosen !== null} @click=${() => (this.chosen = this.chosen ? null : [])}>Choose clips</button>`;
   }
 
   private filters(clips: Clip[]): TemplateResult {
@@ -196,7 +205,9 @@ export class ClipLibrary extends LitElement {
         <p>Nothing here is called or tagged “${this.query}”.</p>
         <div class="buttons"><button class="button" @click=${() => ((this.query = ""), (this.family = ""))}>Show all ${clips.length}</button></div></div>`;
     }
-    return html`<ul class="clip-grid">${repeat(found, ({ id }) => id, (clip) => this.card(clip))}</ul>`;
+    const { chosen } = this;
+    return html`<ul class="clip-grid">${repeat(found, ({ id }) => id, (clip) => (chosen ? this.choice(clip, chosen) : this.card(clip)))}</ul>
+      ${chosen ? chosenBar(chosen, found, (next) => (this.chosen = next)) : nothing}`;
   }
 
   private card(clip: Clip): TemplateResult {
@@ -208,11 +219,13 @@ export class ClipLibrary extends LitElement {
       if (waiting) this.show(waiting);
       else void this.reopen(clip);
     };
-    return html`<li><a class="clip-card ${fresh ? "fresh" : ""}" href=${clip.page_url} @click=${open}>
-      <span class="clip-stage"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail>
-        ${fresh ? html`<span class="tag tag-accent">new</span>` : nothing}</span>
-      <span class="clip-name">${clip.name}</span>
-      <span class="tiny">${caption(clip)}</span></a></li>`;
+    return html`<li><a class="clip-card ${fresh ? "fresh" : ""}" href=${clip.page_url} @click=${open}>${cardOf(clip)}</a></li>`;
+  }
+
+  private choice(clip: Clip, chosen: readonly string[]): TemplateResult {
+    const on = chosen.includes(clip.id);
+    const toggle = () => (this.chosen = on ? chosen.filter((id) => id !== clip.id) : [...chosen, clip.id]);
+    return html`<li><button class="clip-card" type="button" aria-pressed=${on} ?disabled=${!isUsable(clip)} @click=${toggle}>${cardOf(clip)}</button></li>`;
   }
 
   private empty(): TemplateResult {

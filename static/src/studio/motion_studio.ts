@@ -253,6 +253,7 @@ export class MotionStudio extends LitElement {
       }),
       open: (id) => void this.attempt(() => this.open(id)),
       remove: (clip) => this.discard(clip),
+      saved: async () => [await this.save()].filter((id) => id !== undefined),
       download: (suffix) => void this.download(suffix),
       copied: (words) => (this.said = words),
     };

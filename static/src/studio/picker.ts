@@ -3,7 +3,8 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { icon } from "../icons";
-import { caption, filtersOf, find } from "../library/model";
+import { cardOf } from "../library/card";
+import { filtersOf, find } from "../library/model";
 import type { Clip } from "./server";
 
 @customElement("clip-picker")
@@ -74,7 +75,6 @@ export class ClipPicker extends LitElement {
       else this.chosen = on ? this.chosen.filter((id) => id !== clip.id) : [...this.chosen, clip.id];
     };
     return html`<li><button class="clip-card" type="button" aria-pressed=${this.several ? on : nothing} @click=${pick}>
-      <span class="clip-stage"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url ?? nothing} poster-time=${clip.poster_time}></motion-thumbnail></span>
-      <span class="clip-name">${clip.name}</span><span class="tiny">${caption(clip)}</span></button></li>`;
+      ${cardOf(clip)}</button></li>`;
   }
 }

@@ -8,6 +8,8 @@ import type { Session } from "./session";
 import { deleteButton } from "./slider";
 
 export interface ResultActs extends Omit<ExportActs, "variant"> {
+  /** The clip that is on the stage, saved first; none where it cannot be. */
+  saved(): Promise<readonly string[]>;
   seek(finding: Finding): void;
   easeOff(): void;
   open(clip: string): void;
@@ -63,9 +65,10 @@ function variants(session: Session, { variants }: ResultState, { open, remove }:
       : html`<button class="link-button" type="button" @click=${() => open(session.source.id)}>Begin again from the original</button>`}</section>`;
 }
 
-const exports = (session: Session, { said, busy }: ResultState, { download, copied }: ResultActs): TemplateResult =>
+const exports = (session: Session, { said, busy }: ResultState, { download, copied, saved }: ResultActs): TemplateResult =>
   exportPanel({ said, busy }, {
     variant: () => Promise.resolve({ source: session.source.id, operations: session.steps, name: session.name || session.suggestedName }),
     download,
     copied,
-  }, html`<a class="make-set" href="/research/sets">${icon("sets")}Make a set</a>`);
+  }, html`<div class="make-of-it"><use-in-study look="link-button make-set" .ids=${saved} ?disabled=${busy}></use-in-study>
+    <a class="make-set" href="/research/sets">${icon("sets")}Make a set</a></div>`);
