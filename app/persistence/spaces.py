@@ -15,12 +15,14 @@ class Space(NamedTuple):
 
     Attributes:
         newest: the number of the newest space of its name.
-        study: address of the study that it was made of; made_by: a researcher's name.
+        study, study_title: address and title of the study that it was made of.
+        made_by: a researcher's name.
     """
 
     record: SpaceRecord
     newest: int
     study: str | None
+    study_title: str | None
     made_by: str | None
 
 
@@ -36,11 +38,20 @@ def by_id(db: Session, space_id: str) -> Space | None:
     return Space._make(row) if row else None
 
 
+def exists(db: Session, space_id: str) -> bool:
+    """Whether there is a space with this hash."""
+    return db.scalar(select(SpaceRecord.id).where(SpaceRecord.id == space_id)) is not None
+
+
+def versions(db: Session, name: str) -> list[Space]:
+    """Every space of a name, the newest first."""
+    query = _spaces().where(SpaceRecord.name == name).order_by(SpaceRecord.number.desc())
+    return [Space._make(row) for row in db.execute(query)]
+
+
 def newest_named(db: Session, name: str) -> Space | None:
     """The newest space of a name."""
-    query = _spaces().where(SpaceRecord.name == name).order_by(SpaceRecord.number.desc()).limit(1)
-    row = db.execute(query).first()
-    return Space._make(row) if row else None
+    return next(iter(versions(db, name)), None)
 
 
 def add(db: Session, record: SpaceRecord) -> None:
@@ -51,22 +62,28 @@ def add(db: Session, record: SpaceRecord) -> None:
     db.flush()
 
 
+def delete(db: Session, record: SpaceRecord) -> None:
+    """Delete a space; its clips stay."""
+    db.delete(record)
+    db.flush()
+
+
 def is_named(db: Session, name: str) -> bool:
     """Whether there is a space of this name."""
     return db.scalar(select(SpaceRecord.id).where(SpaceRecord.name == name).limit(1)) is not None
 
 
-def blend(db: Session, clip_id: str) -> bool:
-    """Whether the clip is an example in a space."""
-    query = select(SpaceRecord.id).where(cast(SpaceRecord.definition, Text).contains(clip_id))
-    return db.scalar(query.limit(1)) is not None
+def blending(db: Session, clip_id: str) -> list[SpaceRecord]:
+    """The spaces that have the clip as an example."""
+    query = select(SpaceRecord).where(cast(SpaceRecord.definition, Text).contains(clip_id))
+    return list(db.scalars(query.order_by(SpaceRecord.name, SpaceRecord.number)))
 
 
-def _spaces() -> Select[tuple[SpaceRecord, int, str | None, str | None]]:
+def _spaces() -> Select[tuple[SpaceRecord, int, str | None, str | None, str | None]]:
     other = select(SpaceRecord.name, func.max(SpaceRecord.number).label("newest"))
     newest = other.group_by(SpaceRecord.name).subquery()
     return (
-        select(SpaceRecord, newest.c.newest, Study.slug, Researcher.name)
+        select(SpaceRecord, newest.c.newest, Study.slug, Study.title, Researcher.name)
         .join(newest, newest.c.name == SpaceRecord.name)
         .outerjoin(Study, Study.id == SpaceRecord.study_id)
         .outerjoin(Researcher, Researcher.id == SpaceRecord.made_by)

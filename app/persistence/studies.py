@@ -52,6 +52,11 @@ def all_studies(session: Session) -> list[Study]:
     return list(session.scalars(select(Study).order_by(Study.id)))
 
 
+def lock_all(session: Session) -> None:
+    """Let nobody change a draft or publish until we are done; answers still come in."""
+    session.execute(select(Study.id).order_by(Study.id).with_for_update(key_share=True))
+
+
 def has_sessions(session: Session, study: Study) -> bool:
     """Whether anybody ever began the study."""
     found = select(StudySession.id).where(StudySession.study_id == study.id).limit(1)

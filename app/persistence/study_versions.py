@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sqlalchemy import delete, func, select
+from sqlalchemy import Text, cast, delete, func, select
 from sqlalchemy.orm import Session
 
 from app.persistence.models import (
@@ -31,6 +31,12 @@ def version(session: Session, study: Study, number: int) -> StudyVersion | None:
     return session.scalar(
         select(StudyVersion).where(StudyVersion.study_id == study.id, StudyVersion.number == number)
     )
+
+
+def with_spaces(session: Session) -> list[StudyVersion]:
+    """Every version, of any study, that may name an authoring space."""
+    query = select(StudyVersion).where(cast(StudyVersion.definition, Text).contains('"space"'))
+    return list(session.scalars(query))
 
 
 def newest_numbers(session: Session) -> dict[int, int]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from fastapi import APIRouter, Depends, Request, Response
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Query, Request, Response
 from fastapi.responses import HTMLResponse
 
 from app.dependencies import (
@@ -10,9 +12,10 @@ from app.dependencies import (
     CurrentWorkers,
     CurrentWriter,
     KeyWriter,
+    Reader,
     Reading,
     SignedIn,
-    key_writer,
+    Writing,
     reader,
 )
 from app.pages import render
@@ -28,15 +31,18 @@ from app.schemas.spaces import (
     SpaceRecipe,
     TargetList,
     TargetRequest,
+    Versions,
     Weighed,
 )
-from app.services import space_versions, spaces
+from app.services import new_spaces, space_deletion, space_versions, spaces
 
 router = APIRouter(prefix="/studio/spaces", include_in_schema=False)
 api = APIRouter(prefix="/api/v1/spaces", tags=["spaces"], responses={**ERRORS, **BUSY})
 keytimes_api = APIRouter(prefix="/api/v1/clips", tags=["spaces"], responses={**ERRORS, **BUSY})
 readers = [Depends(reader)]
-writers = [Depends(key_writer)]
+Which = Annotated[
+    Versions, Query(description="The space alone, or all versions of its name: all or none")
+]
 GLB = "model/gltf-binary"
 _TEXT = {"schema": {"type": "string"}}
 _MOTION = {
@@ -61,10 +67,10 @@ def space_page(request: Request, space_id: str, db: Reading, _: SignedIn) -> HTM
     return render(request, "space.html", space=spaces.line(db, space_id))
 
 
-@api.get("", dependencies=readers)
-def list_spaces(db: Reading) -> SpaceList:
+@api.get("")
+def list_spaces(db: Reading, caller: Reader) -> SpaceList:
     """All authoring spaces, newest first."""
-    return spaces.listed(db)
+    return spaces.listed(db, caller.researcher_id)
 
 
 @api.post("", status_code=201)
@@ -80,7 +86,7 @@ def create_space(
 
     The clips have one skeleton, and all of them are cycles or none.
     """
-    made = spaces.create(database, writer, workers, space, caller.researcher_id)
+    made = new_spaces.create(database, writer, workers, space, caller.researcher_id)
     response.headers["Location"] = f"/api/v1/spaces/{made.id}"
     return made
 
@@ -89,6 +95,12 @@ def create_space(
 def show_space(space_id: str, database: CurrentDatabase) -> SpaceDetail:
     """A space with all its numbers."""
     return spaces.detail(database, space_id)
+
+
+@api.delete("/{space_id}", status_code=204)
+def delete_space(space_id: str, db: Writing, caller: KeyWriter, versions: Which = "one") -> None:
+    """Delete a space that no study needs. Its clips stay, and so do clips that were made in it."""
+    space_deletion.delete(db, space_id, versions, caller.researcher_id)
 
 
 @api.post("/{space_id}/weights", dependencies=readers)

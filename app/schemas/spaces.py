@@ -20,6 +20,8 @@ MOST_EXAMPLES = 64
 MOST_PARAMETERS = 100
 START = 0.5  # where a slider stands at first
 
+Versions = Literal["one", "all"]
+"""Of what is deleted: the space alone, or every version of its name."""
 Unit = Annotated[float, Field(ge=0, le=1)]
 Seconds = Annotated[float, Field(ge=0, le=1e6)]
 Keytimes = Annotated[dict[Name, Seconds], Field(max_length=16)]
@@ -198,10 +200,22 @@ class SpaceLine(BaseModel):
     created_at: datetime
 
 
+class ListedSpace(SpaceLine):
+    """A space in the list, as who asks may know it.
+
+    Attributes:
+        study_title: of the study; None if it is none, or one that is not theirs to see.
+        may_delete: whether they may delete it, unless something needs it.
+    """
+
+    study_title: str | None
+    may_delete: bool
+
+
 class SpaceList(BaseModel):
     """Every space, newest first."""
 
-    spaces: list[SpaceLine]
+    spaces: list[ListedSpace]
 
 
 class ExampleClip(BaseModel):

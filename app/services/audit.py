@@ -43,6 +43,7 @@ ACTS = {
     "pair_moved": "moved {pair} of “{part}” into the cluster of {to} by hand",
     "pair_moved_back": "put {pair} of “{part}” back into the cluster that the tree has it in",
     "space_made": "made the authoring space “{name}”, version {number}, of “{part}”",
+    "space_deleted": "deleted the authoring space “{name}”, version {number}",
     "session_expired": "deleted participant {name}: {days} days had passed since the last answer",
 }
 

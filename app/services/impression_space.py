@@ -24,7 +24,7 @@ from app.schemas.spaces import (
     SpaceLine,
 )
 from app.schemas.study import Scale
-from app.services import audit, impressions, matching, spaces
+from app.services import audit, impressions, matching, new_spaces
 from app.services import impression_sentences as sentences
 from app.services.impression_names import Called
 from app.services.impression_solution import Solution
@@ -74,7 +74,7 @@ def freeze(
     asked = zip(found.answers.clips, solution.complete, strict=True)
     clips = [one.clip or "" for one, complete in asked if complete]
     _check_size(clips, solution)
-    defined = spaces.define(
+    defined = new_spaces.define(
         database,
         workers,
         name,
@@ -86,7 +86,7 @@ def freeze(
 
     def write(db: Session) -> SpaceLine:
         fresh = store.by_id(db, defined.content_hash) is None
-        line = spaces.keep(db, defined, study_id=access.study_id, made_by=access.researcher_id)
+        line = new_spaces.keep(db, defined, study_id=access.study_id, made_by=access.researcher_id)
         if fresh:
             audit.note(
                 db, access.study_id, "space_made", access.researcher_id,

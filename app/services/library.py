@@ -24,11 +24,6 @@ NEEDS = (
         "Take it out of the study first; answered clips stay.",
     ),
     (clips.is_in_graph, "A motion graph plays this clip.", "Take it out of the graph first."),
-    (
-        spaces.blend,
-        "An authoring space blends this clip.",
-        "Spaces stay as they are, so that what was made in them can be made again.",
-    ),
     (jobs.refer_to, "A job that is not done yet needs this clip.", "Wait for it, or cancel it."),
 )
 
@@ -132,16 +127,7 @@ def delete(db: Session, clip_id: str) -> None:
     clip = find(db, clip_id, signed_in=True)
     if clip.source == "sample":
         raise ConflictError("Samples come with the server and stay.", code="sample_clip")
-    for is_needed, message, mend in NEEDS:
-        if is_needed(db, clip_id):
-            raise ConflictError(message, code="clip_in_use", mend=mend)
-    if made := clips.made_from(db, clip_id):
-        raise ConflictError(
-            f"{made} {'clip was' if made == 1 else 'clips were'} made from this one.",
-            code="clip_has_edits",
-            mend="Delete what was made from it first.",
-            extra={"edits": made},
-        )
+    _refuse_while_needed(db, clip_id)
     clips.delete(db, clip)
     db.commit()
 
@@ -198,6 +184,28 @@ def view(clip: ClipRecord, figure: str | None) -> ClipView:
             "page_url": f"/library/{clip.id}",
         }
     )
+
+
+def _refuse_while_needed(db: Session, clip_id: str) -> None:
+    for is_needed, message, mend in NEEDS:
+        if is_needed(db, clip_id):
+            raise ConflictError(message, code="clip_in_use", mend=mend)
+    if blending := spaces.blending(db, clip_id):
+        first, others = blending[0], len(blending) - 1
+        more = f" So {'does' if others == 1 else 'do'} {others} more." if others else ""
+        raise ConflictError(
+            f"The authoring space “{first.name}”, version {first.number}, blends this clip.{more}",
+            code="clip_in_use",
+            mend="Delete the space first, if nothing else needs it.",
+            extra={"spaces": [space.id for space in blending]},
+        )
+    if made := clips.made_from(db, clip_id):
+        raise ConflictError(
+            f"{made} {'clip was' if made == 1 else 'clips were'} made from this one.",
+            code="clip_has_edits",
+            mend="Delete what was made from it first.",
+            extra={"edits": made},
+        )
 
 
 def _provenance(db: Session, clip: ClipRecord) -> Provenance | None:

@@ -19,7 +19,9 @@ from app.schemas.spaces import (
     Sliders,
     SpaceDefinition,
 )
-from app.services.space_making import Moments, Source, as_values, define, read, told
+from app.services.space_clips import Moments, Source, read, told
+from app.services.space_making import define
+from app.services.space_sliders import as_values
 from app.statistics.prediction import Prediction as Learnt
 from app.statistics.prediction import fit
 from motion.features import FEATURES, features

@@ -18,7 +18,7 @@ from app.persistence import clips
 from app.persistence.engine import Database
 from app.schemas.spaces import SpaceDefinition
 from app.services import spaces
-from app.services.space_making import Source, read, told
+from app.services.space_clips import Source, read, told
 from app.services.space_points import Points, Recent
 from motion import Clip
 from motion.blending.blender import Blender
@@ -72,26 +72,27 @@ _prepared: Recent[str, Prepared] = Recent(SPACES_KEPT)
 
 
 def prepared(database: Database, space_id: str) -> Prepared:
-    """The space, ready; the last ones are kept.
+    """The space, ready; the last ones are kept. No connection is held while one is made ready.
 
     Raises:
-        NotFoundError: there is no such space.
+        NotFoundError: there is no such space, or none any more.
     """
+    with database.reading() as db:
+        spaces.check(db, space_id)
 
     def read_anew() -> Prepared:
         with database.reading() as db:
-            return _read(db, space_id)
+            found = _read(db, space_id)
+        return Prepared.of(*found)
 
     return _prepared.get(space_id, read_anew)
 
 
 def prepared_in(db: Session, space_id: str) -> Prepared:
-    """The same for whoever is reading or writing already."""
-    return _prepared.get(space_id, lambda: _read(db, space_id))
+    """The same for whoever is reading or writing already, for a study: so the space stays."""
+    return _prepared.get(space_id, lambda: Prepared.of(*_read(db, space_id)))
 
 
-def _read(db: Session, space_id: str) -> Prepared:
+def _read(db: Session, space_id: str) -> tuple[SpaceDefinition, dict[str, bytes]]:
     definition = spaces.definition(db, space_id)
-    return Prepared.of(
-        definition, clips.contents(db, [example.clip for example in definition.examples])
-    )
+    return definition, clips.contents(db, [example.clip for example in definition.examples])

@@ -9,7 +9,7 @@ from app.persistence.studies import sample_clips
 from app.schemas.impressions import LEAST_PEAK, MOST_SPREAD, AnalysisChoices
 from app.schemas.spaces import Origin, Sliders
 from app.schemas.study import Scale
-from app.services import impression_names, impression_space, spaces
+from app.services import impression_names, impression_space, new_spaces, spaces
 from app.services.impression_solution import solve
 from app.services.space_making import define
 from app.statistics.quantification import quantify
@@ -34,7 +34,7 @@ def _make(database: Database, motion_set: str) -> None:
         known = {clip.name: clip.id for clip in sample_clips(db, motion_set[-1].upper())}
         if not set(CLIPS[motion_set]) <= set(known):
             return  # a library of other samples
-        sources = spaces.sources(db, [known[name] for name in CLIPS[motion_set]])
+        sources = new_spaces.sources(db, [known[name] for name in CLIPS[motion_set]])
     origin = Origin(
         kind="simulated",
         participants=RATERS,
@@ -44,7 +44,7 @@ def _make(database: Database, motion_set: str) -> None:
     )
     defined = define(spaces.SAMPLES[motion_set], sources, {}, sliders(motion_set), origin)
     with database.writing() as db:
-        spaces.keep(db, defined, study_id=None, made_by=None)
+        new_spaces.keep(db, defined, study_id=None, made_by=None)
         db.commit()
 
 

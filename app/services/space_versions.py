@@ -12,7 +12,7 @@ from app.schemas.spaces import (
     SpaceDefinition,
     SpaceDetail,
 )
-from app.services import spaces
+from app.services import new_spaces, spaces
 from app.workers import Workers
 
 # ``space_joining`` is imported where it is used: it brings SciPy, for which the server's start
@@ -41,10 +41,10 @@ def create(
         clip_ids = _members(before, request)
         keytimes = {example.clip: example.keytimes for example in before.examples}
         keytimes |= request.keytimes
-        gathered = spaces.sources(db, clip_ids, keytimes)
+        gathered = new_spaces.sources(db, clip_ids, keytimes)
         study_id = spaces.study_of(db, space_id)
     defined = workers.run(space_id, space_joining.renew, before, gathered, keytimes)
-    made = writer.write(lambda db: spaces.keep(db, defined, study_id=study_id, made_by=made_by))
+    made = writer.write(lambda db: new_spaces.keep(db, defined, study_id=study_id, made_by=made_by))
     return spaces.detail(database, made.id)
 
 
@@ -59,7 +59,7 @@ def predict(database: Database, workers: Workers, space_id: str, clip_id: str) -
 
     with database.reading() as db:
         known = spaces.definition(db, space_id)
-        gathered = spaces.sources(db, [known.examples[0].clip, clip_id])
+        gathered = new_spaces.sources(db, [known.examples[0].clip, clip_id])
     return workers.run(space_id, space_joining.predict, known, *gathered)
 
 
@@ -86,8 +86,8 @@ def _members(before: SpaceDefinition, request: NewVersion) -> list[str]:
             where={"field": "join"},
             mend=f"Join {MOST_EXAMPLES - len(now)} clips at most.",
         )
-    spaces.check_once(clip_ids)
-    spaces.check_keytimes(request.keytimes, clip_ids)
+    new_spaces.check_once(clip_ids)
+    new_spaces.check_keytimes(request.keytimes, clip_ids)
     edited = [
         c for c, moments in request.keytimes.items() if c in now and moments != now[c].keytimes
     ]

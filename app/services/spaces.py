@@ -1,29 +1,25 @@
-"""Authoring spaces: made of clips, kept for ever, made anew as the next version.
+"""Authoring spaces: which there are, what is in one, and what its sliders mean.
 
-A space is known by the hash of its definition. What is computed from clips is computed in a
-process of ``app.workers`` (``space_making``); points of a space become motion in ``space_motion``.
+They are made in ``new_spaces``, followed by others in ``space_versions`` and deleted in
+``space_deletion``. Points of a space become motion in ``space_motion``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from sqlalchemy.orm import Session
 
-from app.errors import InvalidError, NotFoundError
+from app.errors import NotFoundError
 from app.persistence import clips, graphs, spaces
 from app.persistence.engine import Database
-from app.persistence.models import ClipRecord, SpaceRecord
-from app.persistence.writer import Writer
+from app.persistence.models import ClipRecord
+from app.schemas.live import Role
 from app.schemas.spaces import (
     ExampleClip,
-    Keytimes,
     KeytimesView,
-    NewSpace,
-    Origin,
+    ListedSpace,
     Point,
-    Sliders,
     SpaceDefinition,
     SpaceDetail,
     SpaceLine,
@@ -34,14 +30,14 @@ from app.schemas.spaces import (
     Weighed,
 )
 from app.schemas.study import Interface
-from app.services import edits, library
+from app.services import library, rights
 from app.services.studies import media_url
 from app.workers import Workers
 
-if TYPE_CHECKING:  # they bring SciPy, for which the server's start shall not wait
-    from app.services.space_making import Source
+if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wait
     from app.services.space_motion import Prepared
 
+Roles = dict[int, Role]
 # Of the sample walks by set, as `space_samples` makes them.
 SAMPLES = {
     "set_a": "Walks of set A (simulated raters)",
@@ -54,14 +50,62 @@ def has_samples(db: Session) -> bool:
     return all(spaces.is_named(db, name) for name in SAMPLES.values())
 
 
-def listed(db: Session) -> SpaceList:
-    """All spaces, newest first."""
-    return SpaceList(spaces=[_line(space) for space in spaces.listed(db)])
+def listed(db: Session, researcher_id: int) -> SpaceList:
+    """All spaces, newest first, as a researcher may know them."""
+    roles = rights.visible(db, researcher_id)
+    return SpaceList(
+        spaces=[
+            ListedSpace(
+                **_line(space).model_dump(),
+                study_title=space.study_title if space.record.study_id in roles else None,
+                may_delete=may_delete(space, roles, researcher_id),
+            )
+            for space in spaces.listed(db)
+        ]
+    )
+
+
+def may_delete(space: spaces.Space, roles: Roles, researcher_id: int) -> bool:
+    """Whether a researcher may: who made it, who may change its study, of clips alone everybody.
+
+    Args:
+        space: which one.
+        roles: what the researcher is in which studies.
+        researcher_id: who.
+    """
+    made_by, study_id = space.record.made_by, space.record.study_id
+    if made_by is None:  # it comes with the server
+        return False
+    if study_id is None or made_by == researcher_id:
+        return True
+    return roles.get(study_id) in rights.NEEDED["edit"]
+
+
+def check(db: Session, space_id: str) -> None:
+    """Refuses an id that no space has.
+
+    Raises:
+        NotFoundError: there is no such space.
+    """
+    if not spaces.exists(db, space_id):
+        raise _not_found()
+
+
+def find(db: Session, space_id: str) -> spaces.Space:
+    """A space with what its row refers to.
+
+    Raises:
+        NotFoundError: there is no such space.
+    """
+    found = spaces.by_id(db, space_id)
+    if found is None:
+        raise _not_found()
+    return found
 
 
 def line(db: Session, space_id: str) -> SpaceLine:
     """One space as the list shows it."""
-    return _line(_found(db, space_id))
+    return _line(find(db, space_id))
 
 
 def definition(db: Session, space_id: str) -> SpaceDefinition:
@@ -70,12 +114,12 @@ def definition(db: Session, space_id: str) -> SpaceDefinition:
     Raises:
         NotFoundError: there is no such space.
     """
-    return SpaceDefinition.model_validate(_found(db, space_id).record.definition)
+    return SpaceDefinition.model_validate(find(db, space_id).record.definition)
 
 
 def study_of(db: Session, space_id: str) -> int | None:
     """The study that a space was made of."""
-    return _found(db, space_id).record.study_id
+    return find(db, space_id).record.study_id
 
 
 def detail(database: Database, space_id: str) -> SpaceDetail:
@@ -127,144 +171,11 @@ def targets(
 
 def keytimes(database: Database, workers: Workers, clip_id: str) -> KeytimesView:
     """The events found in a clip."""
-    from app.services import space_making
+    from app.services import space_clips
 
     with database.reading() as db:
         stored = library.content(db, library.find(db, clip_id, signed_in=True))
-    return KeytimesView(keytimes=workers.run(clip_id, space_making.found_keytimes, stored))
-
-
-def create(
-    database: Database, writer: Writer, workers: Workers, request: NewSpace, made_by: int
-) -> SpaceDetail:
-    """A space of clips that nobody judged; its sliders are motion features.
-
-    Raises:
-        ConflictError: a clip waits to be confirmed.
-        InvalidError: the clips cannot be blended with each other.
-        NotFoundError: there is no such clip.
-    """
-    defined = define(database, workers, request.name, request.clips, keytimes=request.keytimes)
-    made = writer.write(lambda db: keep(db, defined, study_id=None, made_by=made_by))
-    return detail(database, made.id)
-
-
-def define(
-    database: Database,
-    workers: Workers,
-    name: str,
-    clip_ids: Sequence[str],
-    adjectives: Sliders | None = None,
-    origin: Origin | None = None,
-    keytimes: Mapping[str, Keytimes] | None = None,
-) -> SpaceDefinition:
-    """The definition of a space of clips, for ``keep``; nothing is stored.
-
-    Args:
-        database: where the clips are.
-        workers: compute keytimes and features.
-        name: the space is the next version of this name.
-        clip_ids: the examples in their order.
-        adjectives: their places by what people said, in that order; None if nobody did.
-        origin: where those come from.
-        keytimes: clip id to events, where they are not to be found automatically.
-
-    Raises:
-        ConflictError: a clip waits to be confirmed.
-        InvalidError: the clips cannot be blended with each other.
-        NotFoundError: there is no such clip.
-    """
-    from app.services import space_making
-
-    given = keytimes or {}
-    check_once(clip_ids)
-    check_keytimes(given, clip_ids)
-    with database.reading() as db:
-        gathered = sources(db, clip_ids, given)
-    return workers.run(
-        gathered[0].id, space_making.define, name, gathered, given, adjectives, origin
-    )
-
-
-def keep(
-    db: Session, defined: SpaceDefinition, *, study_id: int | None, made_by: int | None
-) -> SpaceLine:
-    """Store a space unless it is there; the caller commits."""
-    for example in defined.examples:
-        edits.source_clip(db, example.clip)  # it may have been deleted meanwhile
-    space_id = defined.content_hash
-    if spaces.by_id(db, space_id) is None:
-        record = SpaceRecord(
-            id=space_id,
-            name=defined.title,
-            definition=defined.model_dump(mode="json"),
-            study_id=study_id,
-            made_by=made_by,
-        )
-        spaces.add(db, record)
-    return line(db, space_id)
-
-
-def sources(
-    db: Session, clip_ids: Sequence[str], keytimes: Mapping[str, Keytimes] | None = None
-) -> list[Source]:
-    """The clips that become examples.
-
-    Raises:
-        ConflictError: one waits to be confirmed.
-        InvalidError: a keytime lies outside of its clip.
-        NotFoundError: there is no such clip.
-    """
-    from app.services.space_making import Source
-
-    records = [edits.source_clip(db, clip_id) for clip_id in clip_ids]
-    for record in records:
-        _check_times(record, (keytimes or {}).get(record.id, {}))
-    contents = clips.contents(db, clip_ids)
-    return [Source(record.id, record.name, contents[record.id]) for record in records]
-
-
-def check_once(clip_ids: Sequence[str]) -> None:
-    """Refuses a clip that is there twice.
-
-    Raises:
-        InvalidError: naming its place.
-    """
-    for place, clip_id in enumerate(clip_ids):
-        if clip_id in clip_ids[:place]:
-            raise InvalidError(
-                "A clip is there twice.",
-                code="clip_twice",
-                where={"field": "clips", "place": place + 1},
-                mend="Give each clip once.",
-            )
-
-
-def check_keytimes(keytimes: Mapping[str, Keytimes], clip_ids: Sequence[str]) -> None:
-    """Refuses keytimes of clips that are not examples.
-
-    Raises:
-        InvalidError: naming the clip.
-    """
-    for clip_id in keytimes:
-        if clip_id not in clip_ids:
-            raise InvalidError(
-                f"Keytimes are given for {clip_id[:12]}…, which is no clip of the space.",
-                code="keytimes_unknown",
-                where={"field": "keytimes", "clip": clip_id},
-                mend="Give keytimes of the space's own clips only.",
-            )
-
-
-def _check_times(clip: ClipRecord, moments: Keytimes) -> None:
-    late = [event for event, time in moments.items() if time >= clip.duration]
-    if late:
-        raise InvalidError(
-            f"The keytime {late[0]} of “{clip.name}” lies beyond its {clip.duration:.3f} s.",
-            code="keytime_outside",
-            where={"field": "keytimes", "clip": clip.id, "event": late[0]},
-            mend="Give seconds from the clip's first frame, less than its duration.",
-        )
+    return KeytimesView(keytimes=workers.run(clip_id, space_clips.found_keytimes, stored))
 
 
 def _prepared(database: Database, space_id: str) -> Prepared:
@@ -273,13 +184,10 @@ def _prepared(database: Database, space_id: str) -> Prepared:
     return space_motion.prepared(database, space_id)
 
 
-def _found(db: Session, space_id: str) -> spaces.Space:
-    found = spaces.by_id(db, space_id)
-    if found is None:
-        raise NotFoundError(
-            "There is no such space.", code="space_not_found", mend="Look for it under Spaces."
-        )
-    return found
+def _not_found() -> NotFoundError:
+    return NotFoundError(
+        "There is no such space.", code="space_not_found", mend="Look for it under Spaces."
+    )
 
 
 def _line(space: spaces.Space) -> SpaceLine:

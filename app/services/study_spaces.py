@@ -21,6 +21,16 @@ def find(db: Session, reference: str) -> Space | None:
     return spaces.by_id(db, reference) or spaces.newest_named(db, reference)
 
 
+def named(content: object) -> set[str]:
+    """The names and ids of all spaces in a study file, however wrong it is otherwise."""
+    if isinstance(content, dict):
+        own = content.get("space")
+        return set().union([own] if isinstance(own, str) else [], *map(named, content.values()))
+    if isinstance(content, list):
+        return set().union(*map(named, content))
+    return set()
+
+
 def problems(db: Session, task: Match, path: Path) -> Iterator[Problem]:
     """What is wrong with the space that targets are to be matched in."""
     space = find(db, task.space)

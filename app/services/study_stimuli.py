@@ -335,6 +335,8 @@ def _fill(stimulus: Stimulus, library: _Library) -> dict[str, Any]:
     filled = stimulus.model_dump(mode="json")
     label = Words(", ".join(word for word in words if word)).model_dump(mode="json")
     filled["clip"] = clip_id
+    if stimulus.clip is None and isinstance(stimulus.made, Authored):
+        filled["made"]["space"] = library.space(stimulus.made.space)
     filled["name"] = filled["name"] or name[:LONGEST_NAME].strip()
     filled["label"] = filled["label"] or label
     filled["body"] = filled["body"] or tags.get("body")

@@ -12,7 +12,7 @@ from pathlib import Path
 from app.persistence import schema
 from app.persistence.engine import Database, make_engine
 from app.persistence.models import Researcher
-from app.services import keys, library, spaces
+from app.services import keys, library, new_spaces
 from app.services.clip_files import make_files
 from app.services.space_making import define
 from motion.procedural.library import set_b
@@ -51,8 +51,8 @@ def prepare(folder: Path) -> tuple[str, str]:
             for one in set_b()
         ]
         db.flush()
-        defined = define("Set B", spaces.sources(db, ids), {})
-        space = spaces.keep(db, defined, study_id=None, made_by=None)
+        defined = define("Set B", new_spaces.sources(db, ids), {})
+        space = new_spaces.keep(db, defined, study_id=None, made_by=None)
         db.commit()
         secret = keys.make(db, researcher.id, "bench", "read").secret
     engine.dispose()

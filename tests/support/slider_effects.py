@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
 from app.schemas.spaces import Point
-from app.services.space_making import Source, define
+from app.services.space_clips import Source
+from app.services.space_making import define
 from app.services.space_motion import Prepared
 from app.services.space_samples import sliders
 from app.studies.adjectives import PRIMARY

@@ -71,9 +71,9 @@ def animation(glb: bytes) -> tuple[np.ndarray, np.ndarray]:
 def test_a_space_of_clips_has_the_features_as_sliders(author: Researching) -> None:
     space = made(author)
     assert author.get(f"{SPACES}/{space['id']}").json() == space
-    assert author.get(SPACES).json()["spaces"] == [
-        {key: space[key] for key in author.get(SPACES).json()["spaces"][0]}
-    ]
+    (listed,) = author.get(SPACES).json()["spaces"]
+    assert (listed.pop("study_title"), listed.pop("may_delete")) == (None, True)
+    assert listed == {key: space[key] for key in listed}
     assert space["interfaces"] == ["features", "weights"]
     assert (space["made_by"], space["study"], space["simulated"]) == ("Rosa", None, False)
     sliders = space["definition"]["features"]
@@ -256,15 +256,36 @@ def test_no_more_clips_join_than_a_space_takes(author: Researching) -> None:
     assert response.json()["error"]["mend"] == "Join 61 clips at most."
 
 
-def test_a_clip_of_a_space_cannot_be_deleted(author: Researching) -> None:
+def test_a_clip_of_a_space_can_be_deleted_once_the_space_is(author: Researching) -> None:
     first = walks(author)[0]["id"]
     tempo = [{"operation": "tempo@1", "parameters": {"factor": 1.1}}]
     edited = author.post("/api/v1/clips", json={"source": first, "operations": tempo}).json()["id"]
     space = made(author, clips=[first, edited])
     answer = author.delete(f"/api/v1/clips/{edited}")
     assert refusal(answer) == (409, "clip_in_use")
-    assert "space" in answer.json()["error"]["message"]
-    assert author.get(f"{SPACES}/{space['id']}").status_code == 200
+    told = answer.json()["error"]
+    assert told["message"] == ("The authoring space “Three walks”, version 1, blends this clip.")
+    assert told["spaces"] == [space["id"]]
+    assert author.delete(f"{SPACES}/{space['id']}").status_code == 204
+    assert author.delete(f"/api/v1/clips/{edited}").status_code == 204
+
+
+def test_a_deleted_space_is_gone_and_what_was_made_in_it_stays(author: Researching) -> None:
+    space = made(author)
+    point = middle(space)
+    assert asked(author, space, "motion", point).status_code == 200  # and it is kept ready
+    recipe = asked(author, space, "recipe", point).json()
+    wanted = {"source": recipe["source"], "operations": recipe["operations"]}
+    clip = author.post("/api/v1/clips", json=wanted).json()["id"]
+    assert author.delete(f"{SPACES}/{space['id']}").status_code == 204
+    assert author.get(SPACES).json() == {"spaces": []}
+    for what in ("weights", "motion", "recipe", "targets"):
+        body = {} if what == "targets" else point
+        assert refusal(asked(author, space, what, body)) == (404, "space_not_found"), what
+    for answer in (author.get(f"{SPACES}/{space['id']}"), author.delete(f"{SPACES}/{space['id']}")):
+        assert refusal(answer) == (404, "space_not_found")
+    assert author.get(f"/api/v1/clips/{clip}.bvh").status_code == 200
+    assert len(walks(author)) == 4
 
 
 def test_pages_of_spaces_show_to_the_signed_in(author: Researching) -> None:

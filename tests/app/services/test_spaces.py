@@ -22,10 +22,12 @@ from app.schemas.spaces import (
     SpaceDefinition,
     TargetRequest,
 )
-from app.services import samples, space_joining, space_samples, space_targets, spaces
-from app.services.space_making import Source, define, feature_sliders
+from app.services import new_spaces, samples, space_joining, space_samples, space_targets, spaces
+from app.services.space_clips import Source
+from app.services.space_making import define
 from app.services.space_motion import Prepared, prepared
 from app.services.space_points import Recent
+from app.services.space_sliders import feature_sliders
 from app.statistics.agreement import adjusted_rand
 from motion.blending.distance import matching_distance
 from motion.features import FEATURE_GROUPS, FEATURES, features
@@ -131,7 +133,7 @@ def test_the_same_clips_give_the_same_space_to_the_last_letter(database: Databas
     assert one.content_hash == other.content_hash
     samples.make(database, lambda: [*set_a()][:3])
     with database.writing() as db:
-        space = spaces.keep(db, one, study_id=None, made_by=None)
+        space = new_spaces.keep(db, one, study_id=None, made_by=None)
         db.commit()
     with database.reading() as db:
         assert spaces.definition(db, space.id).content_hash == space.id == one.content_hash
@@ -151,9 +153,9 @@ def test_a_clip_without_keytimes_among_others_is_named(place: int) -> None:
 def test_a_space_whose_clip_is_gone_meanwhile_is_not_kept(database: Database) -> None:
     samples.make(database, lambda: [*set_a()][:2])
     with database.writing() as db, pytest.raises(NotFoundError):
-        spaces.keep(db, define("Walks", sources(3), {}), study_id=None, made_by=None)
+        new_spaces.keep(db, define("Walks", sources(3), {}), study_id=None, made_by=None)
     with database.reading() as db:
-        assert spaces.listed(db).spaces == []
+        assert spaces.listed(db, 1).spaces == []
 
 
 def test_weights_come_in_millionths_whose_sum_is_one() -> None:
@@ -289,7 +291,7 @@ def test_a_fresh_server_has_a_space_of_each_set_which_says_what_it_is(
         space_samples.make(database)
     with database.reading() as db:
         assert spaces.has_samples(db)
-        found = {space.name: space for space in spaces.listed(db).spaces}
+        found = {space.name: space for space in spaces.listed(db, 1).spaces}
         assert {name: space.number for name, space in found.items()} == dict.fromkeys(
             spaces.SAMPLES.values(), 1
         )
@@ -311,7 +313,7 @@ def test_a_library_of_other_samples_gets_no_space(database: Database) -> None:
     samples.make(database, lambda: [*set_a()][:3])
     space_samples.make(database)
     with database.reading() as db:
-        assert spaces.listed(db).spaces == []
+        assert spaces.listed(db, 1).spaces == []
 
 
 def test_what_many_ask_for_at_one_moment_is_made_once() -> None:
