@@ -89,7 +89,7 @@ def test_a_killed_server_goes_on_with_its_job_and_leaves_no_process(
     children = children_of(server.process.pid)
     assert children
     os.kill(server.process.pid, signal.SIGKILL)  # it alone: nobody tells its processes
-    server.process.wait()
+    server.process.join()
     until(lambda: not any(is_alive(child) for child in children))
 
     server.start()
