@@ -11,18 +11,18 @@ from sqlalchemy.pool import ConnectionPoolEntry, QueuePool
 from app.errors import InvalidError
 
 BUSY_TIMEOUT_MS = 10_000
+# Each of the 40 threads that answer requests may hold a connection, as may the writer, the keeper,
+# the job runner and its lock. Threads that wait for the writer must leave one for the writer.
+POOL = {"poolclass": QueuePool, "pool_size": 10, "max_overflow": 50}
 
 
 def make_engine(url: str) -> Engine:
     """An engine for the database at ``url``; parameters never reach error messages or logs."""
     if make_url(url).get_backend_name() != "sqlite":
-        engine = create_engine(url, hide_parameters=True, pool_pre_ping=True, pool_size=10)
+        engine = create_engine(url, hide_parameters=True, pool_pre_ping=True, **POOL)
         event.listen(engine, "handle_error", _refuse_what_does_not_fit)
         return engine
-    # Every thread of the pool may hold a connection while its response is being sent.
-    engine = create_engine(
-        url, hide_parameters=True, poolclass=QueuePool, pool_size=10, max_overflow=50
-    )
+    engine = create_engine(url, hide_parameters=True, **POOL)
     event.listen(engine, "connect", _prepare_sqlite)
     event.listen(engine, "begin", _begin_sqlite)
     return engine

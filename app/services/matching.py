@@ -1,29 +1,28 @@
-"""Matching a target with the sliders of a space: what is shown, and how near a motion came."""
+"""Matching a target with the sliders of a space: what they make, and how near it came."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, InvalidError
-from app.persistence import clips, studies
+from app.persistence import clips, responses
 from app.persistence.engine import Database
-from app.persistence.studies import Media
-from app.schemas.spaces import START, Point, Primary, Sliders, SpaceDefinition
-from app.schemas.study import Interface, Language, Match, StudyDefinition, Trials
+from app.persistence.models import StudySession
+from app.schemas.spaces import Point, SpaceDefinition
+from app.schemas.study import Interface, Match, StudyDefinition, Trials
 from app.services.engine_version import engine_version
 from app.services.plans import Step, planned_steps
 from app.services.sessions import open_session, refuse_ended
-from app.services.studies import definition_of, media_url
+from app.services.studies import definition_of
 
 if TYPE_CHECKING:  # they bring SciPy, for which the server's start shall not wait
     from app.services.space_motion import Prepared
     from motion import Clip
 
-SHOWN_WORDS = 3  # of a cluster's pairs, at the ends of its slider
 MEASURED = ("interface", "seen", "distance", "solved", "engine")
 SECONDS = "seconds"
 BESIDE_SLIDERS = (SECONDS, *MEASURED)  # in a stored answer
@@ -53,13 +52,40 @@ def motion(db: Session, token: str, index: int, values: Mapping[str, float]) -> 
 
     Raises:
         NotFoundError: no such session.
-        ConflictError: the step is a guess, in which nothing is seen, or the session has ended.
+        ConflictError: the step is a guess, in which nothing is seen; its turn has not come, or it
+            was answered by other positions; or the session has ended.
         InvalidError: the step matches nothing, or has no such slider.
     """
     session = open_session(db, token)
     refuse_ended(session.state)
+    _refuse_out_of_turn(db, session, index, values)
     definition = definition_of(session.version)
     return made_in(db, definition, planned_steps(session.plan), index, values)
+
+
+def _refuse_out_of_turn(
+    db: Session, session: StudySession, index: int, values: Mapping[str, float]
+) -> None:
+    """Nobody practises on a target beforehand; of a step behind, what was handed in is shown."""
+    answered = responses.answered(db, session.id)
+    if index not in answered and not answered.issuperset(range(index)):
+        raise ConflictError(
+            "An earlier step has no answer yet, so this one shows no motion.",
+            code="too_early",
+            where={"trial_index": index},
+            mend="Answer the steps in their order.",
+        )
+    if index in answered and values != _sliders_in(responses.newest_of(db, session.id, index)):
+        raise ConflictError(
+            "This step is answered, and shows only the motion that was handed in.",
+            code="already_answered",
+            where={"trial_index": index},
+            mend="Reload the page: it shows what is stored.",
+        )
+
+
+def _sliders_in(answers: Mapping[str, Any] | None) -> dict[str, float]:
+    return {name: at for name, at in (answers or {}).items() if name not in BESIDE_SLIDERS}
 
 
 def made_in(
@@ -91,10 +117,11 @@ def made_in(
             where={"trial_index": index},
             mend="Reload the page.",
         )
-    space = _space(db, task)
+    space, target = space_of(db, task), _target(db, step)
+    db.close()  # others wait for the connection, and computing takes longer than reading
     weighed = space.weights(point_of(space.definition, step["interface"], values))
     created = space.clip(weighed.weights)
-    distance = _distance(db, step, created)
+    distance = _distance(target, created)
     glb = _glb(created)
     return Made(glb, weighed.weights, weighed.outside, distance, distance < task.threshold)
 
@@ -118,7 +145,7 @@ def prepare(database: Database, token: str, index: int) -> None:
         step = dict(enumerate(planned_steps(session.plan))).get(index, {})
         task = task_of(definition_of(session.version), step)
         if task is not None and session.state == "active":
-            _space(db, task)
+            space_of(db, task)
 
 
 def measured(db: Session, task: Match, step: Step, answers: Mapping[str, Any]) -> dict[str, Any]:
@@ -127,10 +154,8 @@ def measured(db: Session, task: Match, step: Step, answers: Mapping[str, Any]) -
     Raises:
         InvalidError: the space has no such slider.
     """
-    space = _space(db, task)
     values = {name: value for name, value in answers.items() if name != SECONDS}
-    weights = space.weights(point_of(space.definition, step["interface"], values)).weights
-    distance = _distance(db, step, space.clip(weights))
+    distance = measure(db, task, step)(values)
     in_time = not step["seen"] or answers[SECONDS] <= task.seconds
     return {
         **answers,
@@ -140,6 +165,20 @@ def measured(db: Session, task: Match, step: Step, answers: Mapping[str, Any]) -
         "solved": int(distance < task.threshold and in_time),
         "engine": engine_version(),
     }
+
+
+def measure(db: Session, task: Match, step: Step) -> Callable[[Mapping[str, float]], float]:
+    """What tells of the sliders' positions how far, in metres, their motion is from the target.
+
+    It raises InvalidError if the space has no such slider.
+    """
+    space, target = space_of(db, task), _target(db, step)
+
+    def apart(values: Mapping[str, float]) -> float:
+        point = point_of(space.definition, step["interface"], values)
+        return _distance(target, space.clip(space.weights(point).weights))
+
+    return apart
 
 
 def as_sent(answers: Mapping[str, Any]) -> dict[str, Any]:
@@ -164,7 +203,7 @@ def point_of(
         InvalidError: the page has no such slider, or has others that are not given: fewer would
             span another space than the one that is shown.
     """
-    ids = _sliders_of(definition, interface)
+    ids = sliders_of(definition, interface)
     strange = [name for name in values if name not in ids]
     absent = [name for name in ids if name not in values and interface != "weights"]
     if strange or absent or not values:
@@ -180,7 +219,7 @@ def point_of(
     return Point(interface=interface, values={ids[name]: value for name, value in given.items()})
 
 
-def _sliders_of(definition: SpaceDefinition, interface: Interface) -> dict[str, str]:
+def sliders_of(definition: SpaceDefinition, interface: Interface) -> dict[str, str]:
     """What the page calls each slider of an interface, and what the space calls it."""
     sliders = definition.sliders(interface)
     if sliders is not None:
@@ -190,69 +229,22 @@ def _sliders_of(definition: SpaceDefinition, interface: Interface) -> dict[str, 
     return {}
 
 
-def page(db: Session, task: Match, language: Language) -> dict[str, Any]:
-    """What the page of a match is told besides the task: sliders, and the examples' motions.
-
-    The examples have numbers instead of names, which would give away how they were meant.
-    """
-    definition = _space(db, task).definition
-    examples = [one.clip for one in definition.examples]
-    shown = studies.media(db, examples) if task.examples else {}
-    return {
-        "start": START,
-        "sliders": {one: _sliders(definition, one, language) for one in task.interfaces},
-        "example_figures": [
-            _figure(shown[clip], str(number)) for number, clip in enumerate(examples, 1) if shown
-        ],
-    }
-
-
-def _figure(media: Media, caption: str) -> dict[str, Any]:
-    return {
-        "glb_url": media_url(media.glb),
-        "figure_url": media.figure and media_url(media.figure),
-        "cyclic": media.cyclic,
-        "caption": caption,
-    }
-
-
-def _sliders(
-    definition: SpaceDefinition, interface: Interface, language: Language
-) -> list[dict[str, str]]:
-    sliders = definition.sliders(interface)
-    if sliders is None:
-        bare = enumerate(_sliders_of(definition, interface), start=1)
-        return [{"id": name, "title": str(n), "left": "", "right": ""} for n, name in bare]
-    return [_slider(sliders, one, language) for one in sliders.primary]
-
-
-def _slider(sliders: Sliders, one: Primary, language: Language) -> dict[str, str]:
-    parameters = {parameter.id: parameter for parameter in sliders.parameters}
-    members = [parameters[name] for name in one.members[:SHOWN_WORDS]]
-    return {
-        "id": one.id,
-        "title": str(one.title.into(language)),
-        "left": _listed(p.left.into(language) for p in members),
-        "right": _listed(p.right.into(language) for p in members),
-    }
-
-
-def _listed(words: Iterable[object]) -> str:
-    """Each once: the ends of all features are “less” and “more”."""
-    return ", ".join(dict.fromkeys(map(str, words)))
-
-
-def _space(db: Session, task: Match) -> Prepared:
+def space_of(db: Session, task: Match) -> Prepared:
+    """The space of a task, ready."""
     from app.services import space_motion
 
     return space_motion.prepared_in(db, task.space)
 
 
-def _distance(db: Session, step: Step, created: Clip) -> float:
+def _target(db: Session, step: Step) -> Clip:
+    target = step["clips"][0]
+    return _clip(clips.contents(db, [target])[target])
+
+
+def _distance(target: Clip, created: Clip) -> float:
     from motion.blending.distance import matching_distance
 
-    target = step["clips"][0]
-    return float(matching_distance(_clip(clips.contents(db, [target])[target]), created))
+    return float(matching_distance(target, created))
 
 
 @lru_cache(maxsize=TARGETS_KEPT)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import asyncio
 import threading
 from datetime import UTC, datetime, timedelta, timezone
 
 import pytest
+from anyio.to_thread import current_default_thread_limiter
 from sqlalchemy import Engine, text
 from sqlalchemy.exc import IntegrityError, StatementError
 from sqlalchemy.orm import Session
+from sqlalchemy.pool import QueuePool
 
 from app.persistence import blobs
-from app.persistence.engine import Database
+from app.persistence.engine import Database, make_engine
 from app.persistence.models import FigureRecord, SetupToken
 
 
@@ -23,6 +26,16 @@ def test_sqlite_survives_a_power_cut_and_checks_references(engine: Engine) -> No
             for name in ("journal_mode", "synchronous", "foreign_keys")
         }
     assert pragmas == {"journal_mode": "wal", "synchronous": 2, "foreign_keys": 1}
+
+
+@pytest.mark.parametrize("url", ["sqlite:///nowhere", "postgresql+psycopg://nobody@nowhere/none"])
+def test_every_thread_that_answers_can_hold_a_connection_and_some_are_left(url: str) -> None:
+    async def threads() -> float:
+        return current_default_thread_limiter().total_tokens
+
+    pool = make_engine(url).pool
+    assert isinstance(pool, QueuePool)
+    assert pool.size() + pool._max_overflow >= asyncio.run(threads()) + 8
 
 
 def test_writers_that_read_first_wait_for_each_other(engine: Engine) -> None:

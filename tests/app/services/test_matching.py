@@ -107,11 +107,13 @@ def test_a_target_is_made_in_the_space_guessed_seen_and_measured(
     sliders = {"e0": 0.7, "e1": 0.3, "e2": 0.0}
     unseen = signed_in.post(f"{at}/steps/0/motion", json={"values": sliders})
     assert (unseen.status_code, unseen.json()["error"]["code"]) == (409, "unseen")
-    seen = signed_in.post(f"{at}/steps/2/motion", json={"values": sliders})
-    assert seen.status_code == 200
-    assert seen.content[:4] == b"glTF"
-
-    for index, given, seconds in ((0, sliders, 3.0), (2, {**sliders, "e2": 0.9}, 20.0)):
+    features = {one["id"]: 0.5 for one in told["sliders"]["features"]}
+    tried = {**sliders, "e2": 0.9}
+    for index, given, seconds in ((0, sliders, 3.0), (1, features, 4.0), (2, tried, 20.0)):
+        if index == 2:
+            seen = signed_in.post(f"{at}/steps/2/motion", json={"values": sliders})
+            assert seen.status_code == 200
+            assert seen.content[:4] == b"glTF"
         sent = signed_in.post(f"{at}/responses", json=answer(index, given, seconds))
         assert sent.status_code == 201, sent.text
     again = signed_in.post(f"{at}/responses", json=answer(0, sliders, 3.0))
@@ -213,6 +215,43 @@ def test_nothing_moves_once_the_session_has_ended(
     assert signed_in.post(f"{at}/complete").status_code == 200
     refused = signed_in.post(f"{at}/steps/1/motion", json={"values": sliders})
     assert (refused.status_code, refused.json()["error"]["code"]) == (409, "session_complete")
+
+
+def test_a_target_moves_only_in_its_turn_and_afterwards_as_it_was_handed_in(
+    signed_in: Researching, space: dict[str, Any], database: Database
+) -> None:
+    study = study_of(space, guess_first=False, interfaces=["weights"])
+    token = begun(database, published(signed_in, study), study)
+    at, sliders = f"/api/v1/sessions/{token}", {"e0": 1.0, "e1": 0.25, "e2": 0.0}
+
+    def asked(index: int, values: dict[str, float]) -> tuple[int, str | None]:
+        reply = signed_in.post(f"{at}/steps/{index}/motion", json={"values": values})
+        return reply.status_code, None if reply.is_success else reply.json()["error"]["code"]
+
+    assert asked(1, sliders) == (409, "too_early")
+    assert asked(0, sliders) == (200, None)
+    assert signed_in.post(f"{at}/responses", json=answer(0, sliders, 3.0)).status_code == 201
+    assert asked(0, {**sliders, "e2": 0.5}) == (409, "already_answered")
+    assert asked(0, sliders) == (200, None)
+    assert asked(1, sliders) == (200, None)
+
+
+def test_who_asks_for_more_motions_than_a_hand_can_is_braked_alone(
+    signed_in: Researching, space: dict[str, Any], database: Database
+) -> None:
+    study = study_of(space, guess_first=False, interfaces=["weights"])
+    slug = published(signed_in, study)
+    quick, other = (begun(database, slug, study) for _ in range(2))
+    for _ in range(300):
+        signed_in.app.state.motion_limiter.count(quick)
+
+    def asked(token: str) -> Any:
+        at = f"/api/v1/sessions/{token}/steps/0/motion"
+        return signed_in.post(at, json={"values": {"e0": 1.0}})
+
+    assert asked(quick).status_code == 429
+    assert "Wait 10 seconds" in asked(quick).json()["error"]["mend"]
+    assert asked(other).status_code == 200
 
 
 @pytest.mark.parametrize("what", ["some", "others"])
@@ -318,3 +357,32 @@ def test_simulated_raters_say_that_they_cannot_match() -> None:
     )
     with pytest.raises(InvalidError, match="matched by hand"):
         effects.tastes(study, effects.Effects())
+
+
+def test_no_connection_is_held_while_a_motion_is_computed(
+    signed_in: Researching,
+    space: dict[str, Any],
+    database: Database,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    study = study_of(space, guess_first=False)
+    token = begun(database, published(signed_in, study), study)
+    held: list[int] = []
+    blend = space_motion.Prepared.clip
+
+    def computed(ready: space_motion.Prepared, weights: Any) -> Any:
+        held.append(database.engine.pool.checkedout())
+        return blend(ready, weights)
+
+    monkeypatch.setattr(space_motion.Prepared, "clip", computed)
+    moved = {"values": {"e0": 0.7, "e1": 0.3, "e2": 0.0}}
+    by_weights = {"interface": "weights", "values": {space["clips"][0]["clip"]: 1.0}}
+    slug = study["slug"]
+    for address, body in (
+        (f"/api/v1/sessions/{token}/steps/0/motion", moved),
+        (f"/api/v1/studies/{slug}/preview/steps/0/motion", moved),
+        (f"/api/v1/spaces/{space['id']}/motion", by_weights),
+    ):
+        answer = signed_in.post(address, json=body)
+        assert answer.status_code == 200, answer.text
+    assert held == [0, 0, 0]
