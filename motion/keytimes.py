@@ -75,6 +75,38 @@ def contact_times(clip: Clip, pose: WorldPose, foot: Foot) -> list[tuple[float, 
 
     A plant that the clip's first or last frame cuts short is left out.
     """
+    whole = ((a, b) for a, b in _edges(clip, pose, foot) if a > 0.0 and b < clip.frames - 1.0)
+    return [(a * clip.frame_time, b * clip.frame_time) for a, b in whole]
+
+
+def standing_times(clip: Clip) -> dict[str, list[tuple[float, float]]]:
+    """Foot's side to when it is on the floor, from strike to off, in seconds of the clip.
+
+    By the same edges as ``find_keytimes``. What goes on over a cycle's end is told as two.
+
+    Raises:
+        MotionError: if a leg's roles are missing.
+    """
+    shown = three_cycles(clip) if clip.cyclic else clip
+    before = clip.duration if clip.cyclic else 0.0
+    pose = forward_kinematics(shown)
+    return {
+        foot.side: _inside(_edges(shown, pose, foot), before, clip)
+        for foot in find_feet(shown, pose)
+    }
+
+
+def _inside(
+    edges: list[tuple[float, float]], before: float, clip: Clip
+) -> list[tuple[float, float]]:
+    """Frames as seconds from a moment on; of what is cut off, no less than a frame is kept."""
+    seconds = (np.array(edge) * clip.frame_time - before for edge in edges)
+    kept = (np.clip(edge, 0.0, clip.duration).tolist() for edge in seconds)
+    return [(start, stop) for start, stop in kept if stop - start >= clip.frame_time]
+
+
+def _edges(clip: Clip, pose: WorldPose, foot: Foot) -> list[tuple[float, float]]:
+    """Frames, fractional, between which a foot stands; the first and last where it is cut short."""
     ends = _ends(clip, pose, foot)
     levels = [motion_level(p.positions(pose), clip, foot.side) for p in (*foot.points, *ends)]
     level = early = late = np.min(levels, axis=0)
@@ -84,11 +116,9 @@ def contact_times(clip: Clip, pose: WorldPose, foot: Foot) -> list[tuple[float, 
         early = np.minimum(level, _end_level(heel, clip.frame_time, _STRUCK, low))
         late = np.minimum(level, _end_level(tip, clip.frame_time, _ROLLING, low))
     stands = np.asarray(binary_propagation(level < STRICT, mask=level < 1.0))
-    edges = [
-        (_edge(early, plant.start, -1), _edge(late, plant.stop - 1, 1)) for plant in runs(stands)
-    ]
-    whole = ((a, b) for a, b in _joined(edges) if a > 0.0 and b < clip.frames - 1.0)
-    return [(a * clip.frame_time, b * clip.frame_time) for a, b in whole]
+    return _joined(
+        [(_edge(early, plant.start, -1), _edge(late, plant.stop - 1, 1)) for plant in runs(stands)]
+    )
 
 
 def _joined(stretches: list[tuple[float, float]]) -> list[tuple[float, float]]:

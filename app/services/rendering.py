@@ -21,12 +21,11 @@ from app.services.clip_files import ClipFiles, make_files
 from motion import Clip, MotionError
 from motion.bvh_write import write_bvh
 from motion.editing.cycle_cut import cut_cycle
-from motion.editing.foot_plants import find_feet
 from motion.editing.posture import capture_pose
 from motion.errors import RecipeError
 from motion.figure import FigureMesh, build_figure
 from motion.glb import write_clip_glb
-from motion.keytimes import find_keytimes
+from motion.keytimes import find_keytimes, standing_times
 from motion.recipe import Materials, Recipe, check_recipe, ease_off_recipe
 from motion.retargeting import retarget
 from motion.storage import clip_from_bytes
@@ -207,16 +206,9 @@ def _materials(supplies: Supplies) -> Materials:
 def _contacts(clip: Clip) -> dict[str, list[tuple[float, float]]]:
     """Foot to the stretches of time, in seconds, in which it stands."""
     try:
-        feet = find_feet(clip)
+        return standing_times(clip)
     except MotionError:  # a skeleton without legs stands on nothing
         return {"left": [], "right": []}
-    return {
-        foot.side: [
-            (plant.start * clip.frame_time, (plant.stop - 1) * clip.frame_time)
-            for plant in foot.plants()
-        ]
-        for foot in feet
-    }
 
 
 def _figure(clip: Clip) -> FigureMesh | None:

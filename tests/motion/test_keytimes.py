@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from motion import Clip
+from motion.blending.blender import Blender
 from motion.editing.cycle_cut import cut_cycle, roll_cycle
 from motion.editing.tempo import resample_rate
-from motion.keytimes import EVENTS, find_keytimes
+from motion.keytimes import EVENTS, find_keytimes, standing_times
 from motion.kinematics import forward_kinematics
 from motion.procedural.bodies import BODIES
 from motion.procedural.library import sample_clips
@@ -175,3 +176,38 @@ def test_without_legs_there_are_no_keytimes():
     walk = made("set_a_neutral")
     arms = {role: joint for role, joint in walk.skeleton.roles.items() if "arm" in role}
     assert find_keytimes(replace(walk, skeleton=walk.skeleton.with_roles(arms))) == {}
+
+
+def test_a_foot_stands_from_its_strike_to_its_off_over_the_cycles_end_too():
+    clip = made("set_a_proud")
+    found, stands = find_keytimes(clip), standing_times(clip)
+    for side in ("left", "right"):
+        ends = np.ravel(stands[side]).tolist()
+        assert found[f"{side}_off"] in [pytest.approx(end) for end in ends]
+        missing = (found[f"{side}_off"] - found[f"{side}_strike"]) % clip.duration
+        assert sum(b - a for a, b in stands[side]) == pytest.approx(missing, abs=clip.frame_time)
+    still = replace(
+        clip,
+        root_positions=np.repeat(clip.root_positions[:1], clip.frames, axis=0),
+        rotations=np.repeat(clip.rotations[:1], clip.frames, axis=0),
+        cyclic=False,
+    )
+    assert standing_times(still)["left"] == [(0.0, pytest.approx(clip.duration))]
+
+
+def test_a_mix_stands_when_the_mean_of_its_examples_keytimes_says():
+    clips = [made("set_a_proud"), made("set_a_sad"), made("set_b_pleasure_fast")]
+    moments = [find_keytimes(clip) for clip in clips]
+    shares = np.array([0.5, 0.3, 0.2])
+    mixed = Blender(clips, moments).blend(shares)
+    begun = [
+        [(one[event] - one["left_strike"]) % clip.duration for event in EVENTS]
+        for one, clip in zip(moments, clips, strict=True)
+    ]
+    expected = dict(zip(EVENTS, shares @ np.array(begun), strict=True))
+    stands = standing_times(mixed)
+    (left,) = stands["left"]
+    first, second = stands["right"]
+    shown = [*left, first[1], second[0]]
+    said = [expected[event] for event in ("left_strike", "left_off", "right_off", "right_strike")]
+    assert shown == pytest.approx(said, abs=0.03)
