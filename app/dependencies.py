@@ -13,7 +13,7 @@ from app.errors import ForbiddenError, SignInNeededError
 from app.persistence.engine import Database
 from app.persistence.models import Researcher
 from app.persistence.writer import Writer
-from app.security import AttemptLimiter, SignInCookies
+from app.security import AttemptLimiter, MotionLimiter, SignInCookies
 from app.services import keys, researchers, rights
 from app.services.keys import KeyUses
 from app.services.rights import Access
@@ -70,6 +70,12 @@ async def sign_in_cookies(request: Request) -> SignInCookies:
 async def attempt_limiter(request: Request) -> AttemptLimiter:
     """The brake on guessing passwords."""
     limiter: AttemptLimiter = request.app.state.attempt_limiter
+    return limiter
+
+
+async def motion_limiter(request: Request) -> MotionLimiter:
+    """The brake on asking for motions."""
+    limiter: MotionLimiter = request.app.state.motion_limiter
     return limiter
 
 

@@ -62,6 +62,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "answer_invalid": ("The answer does not fit the study.", "Load the page and answer again."),
     "trial_unknown": ("The study has no such page.", _RELOAD),
     "slider_unknown": ("The study has no such slider.", _RELOAD),
+    "too_early": ("An earlier page is not answered yet.", _LATER),
     "unseen": ("The motion of a guess is not shown.", _RELOAD),
     "answers_missing": ("Some answers are still missing.", "Answer what is missing. " + _KEPT),
     "invalid_request": ("The server did not understand the page.", _RELOAD),

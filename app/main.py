@@ -48,6 +48,7 @@ from app.security import (
     BodyLimitMiddleware,
     CsrfMiddleware,
     HeadersMiddleware,
+    MotionLimiter,
     SignInCookies,
 )
 from app.services.downloads import ClipFiles
@@ -116,6 +117,7 @@ def create_app(settings: Settings | None = None, built: Path = BUILT) -> FastAPI
     app.state.templates = make_templates(Assets(built))
     app.state.sign_in_cookies = SignInCookies(settings)
     app.state.attempt_limiter = AttemptLimiter(settings.sign_in_attempts)
+    app.state.motion_limiter = MotionLimiter()
     app.state.key_uses = KeyUses()
     error_handling.install(app)
     _add_middleware(app, settings)

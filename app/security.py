@@ -1,4 +1,4 @@
-"""Headers, forgery tokens, body limits, sign-in cookies and the brake on guessing passwords."""
+"""Headers, forgery tokens, body limits, sign-in cookies and brakes."""
 
 from __future__ import annotations
 
@@ -189,8 +189,7 @@ class AttemptLimiter:
     """Counts failed attempts to sign in, by the address that they come from."""
 
     def __init__(self, rate: str) -> None:
-        self._rate: RateLimitItem = parse(rate)
-        self._limiter = MovingWindowRateLimiter(MemoryStorage())
+        self._rate, self._limiter = _brake(rate)
 
     def check(self, address: str) -> None:
         """Raise TooManyError when ``address`` has failed too often of late."""
@@ -203,3 +202,24 @@ class AttemptLimiter:
     def count_failure(self, address: str) -> None:
         """Remember one failed attempt."""
         self._limiter.hit(self._rate, address)
+
+
+class MotionLimiter:
+    """Counts the motions that a session has asked for: a page asks for at most 20 in a second."""
+
+    RATE = "300/10 seconds"
+
+    def __init__(self) -> None:
+        self._rate, self._limiter = _brake(self.RATE)
+
+    def count(self, token: str) -> None:
+        """Raise TooManyError when no hand on a slider asks so often."""
+        if not self._limiter.hit(self._rate, token):
+            raise TooManyError(
+                "Too many motions were asked for in a short time.",
+                mend=f"Wait {self._rate.get_expiry()} seconds and move a slider again.",
+            )
+
+
+def _brake(rate: str) -> tuple[RateLimitItem, MovingWindowRateLimiter]:
+    return parse(rate), MovingWindowRateLimiter(MemoryStorage())

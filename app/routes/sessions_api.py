@@ -6,12 +6,13 @@ from asyncio import wrap_future
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Path, Response
+from fastapi import APIRouter, Depends, Path, Response
 from fastapi.concurrency import run_in_threadpool
 
-from app.dependencies import CurrentDatabase, CurrentWriter, Reading
+from app.dependencies import CurrentDatabase, CurrentWriter, Reading, motion_limiter
 from app.schemas.errors import ErrorResponse
 from app.schemas.sessions import Answer, AnswerReceipt, Completion, Moved, SessionView
+from app.security import MotionLimiter
 from app.services import answers, matching, session_views, sessions
 from app.services.matching import Made
 
@@ -24,6 +25,9 @@ NOT_FOUND: Documented = {
 }
 CONFLICT: Documented = {
     409: {"model": ErrorResponse, "description": "It contradicts what is stored."}
+}
+TOO_MANY: Documented = {
+    429: {"model": ErrorResponse, "description": "Asked more often than a hand moves a slider."}
 }
 
 
@@ -68,10 +72,18 @@ async def record_response(
         },
         **NOT_FOUND,
         **CONFLICT,
+        **TOO_MANY,
     },
 )
-def show_motion(token: str, index: StepIndex, moved: Moved, db: Reading) -> Response:
-    """The motion that the sliders of a step make, where one of the steps that match a target."""
+def show_motion(
+    token: str,
+    index: StepIndex,
+    moved: Moved,
+    db: Reading,
+    limiter: Annotated[MotionLimiter, Depends(motion_limiter)],
+) -> Response:
+    """The motion that the sliders make, in a step that matches a target and whose turn it is."""
+    limiter.count(token)
     made = matching.motion(db, token, index, moved.values)
     return motion_response(made)
 

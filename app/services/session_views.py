@@ -34,7 +34,7 @@ from app.schemas.study import (
     Trials,
     Words,
 )
-from app.services import matching
+from app.services import matching, matching_page
 from app.services.plans import PAUSE, Plan, Step, draw_plan, group_of, planned_steps
 from app.services.sessions import open_session, refuse_late
 from app.services.studies import definition_of, language_for, localised, media_url
@@ -169,7 +169,7 @@ def _part_view(db: Session, part: AnyPart, clips: Clips, language: Language) -> 
         )
     if isinstance(part, Trials) and isinstance(part.task, Match):
         asked = part.task.model_dump(mode="json", exclude={"space", "practice_targets"})
-        return {**asked, **matching.page(db, part.task, language)}
+        return {**asked, **matching_page.page(db, part.task, language)}
     if isinstance(part, Trials):
         return part.task.model_dump(mode="json", exclude={"reference"})
     found = part.model_dump(mode="json", exclude={"groups"})

@@ -51,7 +51,7 @@ export interface paths {
         put?: never;
         /**
          * Show Motion
-         * @description The motion that the sliders of a step make, where one of the steps that match a target.
+         * @description The motion that the sliders make, in a step that matches a target and whose turn it is.
          */
         post: operations["show_motion"];
         delete?: never;
@@ -857,9 +857,32 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
+        get?: never;
+        put?: never;
+        /**
+         * Draw Stability
+         * @description How the analysis would differ with other participants: a bootstrap, the same by seed.
+         *
+         *     A large one becomes a job (202), whose address is in `Location`; its result is at
+         *     `stability/{job}` once it is done.
+         */
+        post: operations["draw_stability"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/impressions/{part}/stability/{job}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
         /**
          * Read Stability
-         * @description How the analysis would differ with other participants: a bootstrap, the same by seed.
+         * @description What a large bootstrap has found.
          */
         get: operations["read_stability"];
         put?: never;
@@ -882,6 +905,26 @@ export interface paths {
          * @description The clusters of two studies side by side: how far they agree, which pairs moved.
          */
         get: operations["compare_impressions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/impressions/{part}/comparable": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Comparable
+         * @description The parts of your studies that this one can be compared with.
+         */
+        get: operations["list_comparable"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1004,6 +1047,28 @@ export interface paths {
          * @description Go back to the newest version.
          */
         delete: operations["discard_draft"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/studies/{slug}/draft/clips": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Clips
+         * @description Give a part of the draft more clips; those that it has already are not added again.
+         *
+         *     Nothing changes for participants until the draft is published.
+         */
+        post: operations["add_clips"];
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -1211,6 +1276,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/study-drafts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Study Drafts
+         * @description What is being edited of every study that the caller may change: which parts take clips.
+         */
+        get: operations["list_study_drafts"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/clips/batch": {
         parameters: {
             query?: never;
@@ -1358,7 +1443,11 @@ export interface paths {
         get: operations["show_space"];
         put?: never;
         post?: never;
-        delete?: never;
+        /**
+         * Delete Space
+         * @description Delete a space that no study needs. Its clips stay, and so do clips that were made in it.
+         */
+        delete: operations["delete_space"];
         options?: never;
         head?: never;
         patch?: never;
@@ -1512,6 +1601,18 @@ export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
         /**
+         * Agreement
+         * @description Adjusted Rand index: the mean of the samples, and where the middle 95 % of them lie.
+         */
+        Agreement: {
+            /** Mean */
+            mean: number;
+            /** Low */
+            low: number;
+            /** High */
+            high: number;
+        };
+        /**
          * AnalysisChoices
          * @description What a researcher chose in the analysis of a part.
          *
@@ -1628,6 +1729,22 @@ export interface components {
             state: "active" | "complete" | "screened_out" | "failed_attention" | "withdrawn";
         };
         /**
+         * AskingPart
+         * @description A part of a study that asks about clips.
+         *
+         *     Attributes:
+         *         task: the kind of its question.
+         *         clips: how many it has.
+         */
+        AskingPart: {
+            /** Id */
+            id: string;
+            /** Task */
+            task: string;
+            /** Clips */
+            clips: number;
+        };
+        /**
          * AuditLine
          * @description One thing that somebody did with a study.
          */
@@ -1737,17 +1854,19 @@ export interface components {
         };
         /**
          * ByParticipants
-         * @description How like the whole solution one from so many participants is: the adjusted Rand index.
+         * @description How like the solution of all one from so many participants is.
+         *
+         *     Attributes:
+         *         whole, shared: as in `Stability`.
+         *         kept_alike: mean share of pairs that are kept, or left out, as by all participants.
          */
         ByParticipants: {
             /** Participants */
             participants: number;
-            /** Mean */
-            mean: number;
-            /** Low */
-            low: number;
-            /** High */
-            high: number;
+            whole: components["schemas"]["Agreement"];
+            shared: components["schemas"]["Agreement"] | null;
+            /** Kept Alike */
+            kept_alike: number;
         };
         /**
          * Cell
@@ -2145,6 +2264,26 @@ export interface components {
             recipe_source: string | null;
         };
         /**
+         * ClipsAdded
+         * @description Clips that a study has now.
+         *
+         *     Attributes:
+         *         title: of the study.
+         *         part: that has them.
+         *         added, already: ids of those that are new there, and of those that were there before.
+         */
+        ClipsAdded: {
+            /** Title */
+            title: string;
+            /** Part */
+            part: string;
+            /** Added */
+            added: string[];
+            /** Already */
+            already: string[];
+            draft: components["schemas"]["SavedDraft"];
+        };
+        /**
          * Cluster
          * @description Pairs that go together.
          *
@@ -2178,12 +2317,68 @@ export interface components {
             overlap: number;
         };
         /**
+         * Comparable
+         * @description A part of a study that asks for some of the same pairs and has answers.
+         */
+        Comparable: {
+            /** Slug */
+            slug: string;
+            /** Title */
+            title: string;
+            /** Part */
+            part: string;
+        };
+        /**
+         * ComparableList
+         * @description What a part's analysis can be set beside.
+         */
+        ComparableList: {
+            /** Studies */
+            studies: components["schemas"]["Comparable"][];
+        };
+        /**
+         * ComparedCluster
+         * @description A cluster beside those of another study.
+         *
+         *     Attributes:
+         *         like: index of the other study's cluster that it is matched with; None for none.
+         */
+        ComparedCluster: {
+            /** Key */
+            key: string;
+            /** Title */
+            title: string;
+            /** Like */
+            like: number | null;
+            /** Members */
+            members: components["schemas"]["ComparedPair"][];
+        };
+        /**
+         * ComparedPair
+         * @description A pair in a cluster that is compared.
+         *
+         *     Attributes:
+         *         differs: whether it is in another cluster elsewhere, or kept by one study only.
+         *         turned: whether its study asks for it the other way round; the words are already exchanged.
+         */
+        ComparedPair: {
+            /** Id */
+            id: string;
+            left: components["schemas"]["Words"];
+            right: components["schemas"]["Words"];
+            /** Differs */
+            differs: boolean;
+            /** Turned */
+            turned: boolean;
+        };
+        /**
          * Comparison
          * @description Two studies' solutions side by side.
          *
          *     Attributes:
          *         shared: how many pairs both keep; rand: the adjusted Rand index over them.
-         *         together: this study's cluster title to the other's that it overlaps most.
+         *         turned: how many pairs the other study asks for the other way round; its answers to them
+         *             are turned before they are grouped.
          */
         Comparison: {
             /** Here */
@@ -2194,14 +2389,12 @@ export interface components {
             shared: number;
             /** Rand */
             rand: number | null;
-            /** Together */
-            together: {
-                [key: string]: string;
-            };
+            /** Turned */
+            turned: number;
             /** Here Clusters */
-            here_clusters: components["schemas"]["Cluster"][];
+            here_clusters: components["schemas"]["ComparedCluster"][];
             /** There Clusters */
-            there_clusters: components["schemas"]["Cluster"][];
+            there_clusters: components["schemas"]["ComparedCluster"][];
             /** Moved */
             moved: components["schemas"]["MovedPair"][];
             /** Sentence */
@@ -2284,6 +2477,14 @@ export interface components {
             answers: number;
             /** Median Seconds */
             median_seconds: number | null;
+        };
+        /**
+         * DraftList
+         * @description What is being edited of every study that the caller may change.
+         */
+        DraftList: {
+            /** Drafts */
+            drafts: components["schemas"]["StudyDraft"][];
         };
         /**
          * Dropout
@@ -2387,6 +2588,27 @@ export interface components {
             operations?: components["schemas"]["Step"][] | null;
             /** Preset */
             preset?: string | null;
+        };
+        /**
+         * Enough
+         * @description How many participants would do.
+         *
+         *     Attributes:
+         *         index: what the mean adjusted Rand index has to reach.
+         *         whole: the least number tried from which on it does for the whole solution, shared: for how
+         *             kept pairs are grouped; None if even `most`, the greatest number tried, does not.
+         */
+        Enough: {
+            /** Index */
+            index: number;
+            /** Most */
+            most: number;
+            /** Whole */
+            whole: number | null;
+            /** Shared */
+            shared: number | null;
+            /** Sentence */
+            sentence: string;
         };
         /**
          * ErrorDetail
@@ -2946,7 +3168,7 @@ export interface components {
         };
         /**
          * JobDetail
-         * @description A job with what became of each clip.
+         * @description A job with what became of each clip, if it makes any.
          * @example {
          *       "created_at": "2026-01-05T09:30:00Z",
          *       "done": 7,
@@ -3016,8 +3238,9 @@ export interface components {
          * @description Long work and how far it is.
          *
          *     Attributes:
+         *         kind: `clips`, or `stability` of an analysis of impressions.
          *         total: number of clips; done: of those that are kept; failed: of those that could not be
-         *             made. What a cancelled job has made stays.
+         *             made. What a cancelled job has made stays. A bootstrap counts pieces of its work.
          * @example {
          *       "created_at": "2026-01-05T09:30:00Z",
          *       "done": 7,
@@ -3103,6 +3326,43 @@ export interface components {
             id: string;
             /** Name */
             name: string;
+        };
+        /**
+         * ListedSpace
+         * @description A space in the list, as who asks may know it.
+         *
+         *     Attributes:
+         *         study_title: of the study; None if it is none, or one that is not theirs to see.
+         *         may_delete: whether they may delete it, unless something needs it.
+         */
+        ListedSpace: {
+            /** Id */
+            id: string;
+            /** Name */
+            name: string;
+            /** Number */
+            number: number;
+            /** Newest */
+            newest: boolean;
+            /** Examples */
+            examples: number;
+            /** Interfaces */
+            interfaces: ("adjectives" | "features" | "weights")[];
+            /** Simulated */
+            simulated: boolean;
+            /** Study */
+            study: string | null;
+            /** Made By */
+            made_by: string | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Study Title */
+            study_title: string | null;
+            /** May Delete */
+            may_delete: boolean;
         };
         /**
          * LiveCounts
@@ -3441,6 +3701,26 @@ export interface components {
             there: string | null;
         };
         /**
+         * NewClips
+         * @description Clips for a study, by their ids.
+         *
+         *     Attributes:
+         *         part: that shall have them; left out, the first that asks about clips. A study without any
+         *             gets one, with one question.
+         * @example {
+         *       "clips": [
+         *         "0f4c2b5f…"
+         *       ],
+         *       "part": "walks"
+         *     }
+         */
+        NewClips: {
+            /** Clips */
+            clips: string[];
+            /** Part */
+            part?: string | null;
+        };
+        /**
          * NewSpace
          * @description A space made from clips alone, without a questionnaire: its sliders are motion features.
          * @example {
@@ -3474,6 +3754,8 @@ export interface components {
          *         template: id of one of the templates.
          *         definition: a study file's content; it need not be complete.
          *         title: in the place of the template's own.
+         *         clips: ids, for the first part that asks about clips, in the place of its own; an empty
+         *             study gets such a part.
          * @example {
          *       "title": "Gaits"
          *     }
@@ -3488,6 +3770,11 @@ export interface components {
             file?: components["schemas"]["UploadedFile"] | null;
             /** Title */
             title?: string | null;
+            /**
+             * Clips
+             * @default []
+             */
+            clips: string[];
         };
         /**
          * NewVersion
@@ -4773,7 +5060,7 @@ export interface components {
          */
         SpaceList: {
             /** Spaces */
-            spaces: components["schemas"]["SpaceLine"][];
+            spaces: components["schemas"]["ListedSpace"][];
         };
         /**
          * SpaceRecipe
@@ -4837,27 +5124,27 @@ export interface components {
          *
          *     Attributes:
          *         clusters: as the tree is cut, moves by hand aside.
-         *         rand_mean, rand_low, rand_high: adjusted Rand index with the solution of all participants,
-         *             and the middle 95 % of the samples; None where no sample keeps enough pairs.
-         *         by_participants: the same for other numbers of participants, those that keep enough pairs.
+         *         whole: agreement with the solution of all participants, over all pairs that were asked;
+         *             those left out are a group of their own.
+         *         shared: the same over the pairs that both keep; None where no sample keeps enough.
+         *         by_participants: the same for other numbers of participants.
          */
         Stability: {
             /** Samples */
             samples: number;
             /** Seed */
             seed: number;
+            /** Participants */
+            participants: number;
             /** Pairs */
             pairs: components["schemas"]["PairStability"][];
             /** Clusters */
             clusters: components["schemas"]["ClusterStability"][];
-            /** Rand Mean */
-            rand_mean: number | null;
-            /** Rand Low */
-            rand_low: number | null;
-            /** Rand High */
-            rand_high: number | null;
+            whole: components["schemas"]["Agreement"];
+            shared: components["schemas"]["Agreement"] | null;
             /** By Participants */
             by_participants: components["schemas"]["ByParticipants"][];
+            enough: components["schemas"]["Enough"];
             /** Sentence */
             sentence: string;
         };
@@ -4993,6 +5280,31 @@ export interface components {
             problems: components["schemas"]["Problem"][];
             /** Can Be Shown */
             can_be_shown: boolean;
+        };
+        /**
+         * StudyDraft
+         * @description What is being edited of a study: the draft, or the newest version where there is none.
+         *
+         *     Attributes:
+         *         version: number of the newest version; None before the first was published.
+         *         parts: those that ask about clips.
+         */
+        StudyDraft: {
+            /** Slug */
+            slug: string;
+            /** Title */
+            title: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "draft" | "open" | "paused" | "closed";
+            /** Version */
+            version: number | null;
+            /** Languages */
+            languages: string[];
+            /** Parts */
+            parts: components["schemas"]["AskingPart"][];
         };
         /**
          * StudyLine
@@ -5605,6 +5917,15 @@ export interface operations {
             };
             /** @description Does not make sense */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Asked more often than a hand moves a slider. */
+            429: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -9400,7 +9721,7 @@ export interface operations {
             };
         };
     };
-    read_stability: {
+    draw_stability: {
         parameters: {
             query?: {
                 kind?: "participant" | "simulated";
@@ -9413,6 +9734,102 @@ export interface operations {
             header?: never;
             path: {
                 part: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Stability"] | components["schemas"]["JobDetail"];
+                };
+            };
+            /** @description Accepted */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    read_stability: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                part: string;
+                job: string;
                 slug: string;
             };
             cookie?: never;
@@ -9482,15 +9899,6 @@ export interface operations {
                     "application/json": components["schemas"]["ErrorResponse"];
                 };
             };
-            /** @description Too much to do at this moment */
-            503: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["ErrorResponse"];
-                };
-            };
         };
     };
     compare_impressions: {
@@ -9516,6 +9924,85 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Comparison"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    list_comparable: {
+        parameters: {
+            query?: {
+                kind?: "participant" | "simulated";
+            };
+            header?: never;
+            path: {
+                part: string;
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ComparableList"];
                 };
             };
             /** @description Needs an API key, or a signed-in researcher */
@@ -10156,6 +10643,89 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["StudyDetail"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    add_clips: {
+        parameters: {
+            query?: {
+                /** @description `saved_at` of the draft that this one was made from */
+                seen?: string | null;
+            };
+            header?: never;
+            path: {
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewClips"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ClipsAdded"];
                 };
             };
             /** @description Needs an API key, or a signed-in researcher */
@@ -11007,6 +11577,80 @@ export interface operations {
             };
         };
     };
+    list_study_drafts: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftList"];
+                };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
     create_batch: {
         parameters: {
             query?: never;
@@ -11652,6 +12296,92 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["SpaceDetail"];
                 };
+            };
+            /** @description Needs an API key, or a signed-in researcher */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description The API key may only read, or the request lacks its token against forgery */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Not found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Contradicts what is stored */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description More bytes than the server takes */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Does not make sense */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+            /** @description Too much to do at this moment */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorResponse"];
+                };
+            };
+        };
+    };
+    delete_space: {
+        parameters: {
+            query?: {
+                /** @description The space alone, or all versions of its name: all or none */
+                versions?: "one" | "all";
+            };
+            header?: never;
+            path: {
+                space_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Needs an API key, or a signed-in researcher */
             401: {

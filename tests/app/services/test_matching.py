@@ -243,7 +243,7 @@ def test_who_asks_for_more_motions_than_a_hand_can_is_braked_alone(
     slug = published(signed_in, study)
     quick, other = (begun(database, slug, study) for _ in range(2))
     for _ in range(300):
-        signed_in.app.state.motion_limiter.count(quick)
+        signed_in.client.app.state.motion_limiter.count(quick)
 
     def asked(token: str) -> Any:
         at = f"/api/v1/sessions/{token}/steps/0/motion"

@@ -33,6 +33,8 @@ function draw(): void {
 
 const sliders = () => [...place.querySelectorAll<HTMLInputElement>("input[type=range]")];
 const settled = async () => { await vi.advanceTimersByTimeAsync(0); };
+/** Until the next motion may be asked for. */
+const soon = async () => { await vi.advanceTimersByTimeAsync(50); };
 const over = () => rests({ task, step: { index: 3, part: "p", kind: "match", figures: [], seen } }, form);
 
 async function drag(index: number, value: number): Promise<void> {
@@ -77,10 +79,13 @@ it("the clock waits for the first picture of both, and the sliders with it", asy
 
 it("one motion is under way at a time, and the newest position goes next", async () => {
   await begun();
+  await soon();
   for (const value of [0.1, 0.2, 0.3]) await drag(0, value);
   expect(asked.length).toBe(2);
   asked[1]!.answer({});
   await settled();
+  expect(asked.length).toBe(2); // twenty a second at most, however fast they come
+  await soon();
   expect(asked.slice(1).map(({ values }) => values["e0"])).toEqual([0.1, 0.3]);
 });
 
@@ -174,14 +179,26 @@ it("a guess asks for no motion", async () => {
   expect(form.answers["e0"]).toBe(0.2);
 });
 
+it("while the answer before is on its way the page asks again, and says nothing", async () => {
+  draw();
+  await settled();
+  asked[0]!.refuse(new ApiError("too_early", "An earlier step has no answer yet.", null, null, 409));
+  await vi.advanceTimersByTimeAsync(300);
+  expect(place.querySelector("[role=alert], .note")).toBeNull();
+  asked[1]!.answer({});
+  await settled();
+  expect(place.querySelector("fieldset")!.disabled).toBe(false);
+});
+
 it("a refusal is told with a way on", async () => {
   await begun();
+  await soon();
   await drag(0, 0.1);
   asked[1]!.refuse(new ApiError("session_ended", "The study has ended for you.", null, "Load the page again.", 409));
   await settled();
   expect(place.querySelector("[role=alert]")!.textContent).toContain("The study has ended for you.");
   place.querySelector<HTMLButtonElement>("[role=alert] button")!.click();
-  await settled();
+  await soon();
   asked[2]!.answer({});
   await settled();
   expect(place.querySelector("[role=alert]")).toBeNull();

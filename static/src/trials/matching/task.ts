@@ -16,8 +16,14 @@ import { Stopwatch } from "./stopwatch";
 
 const TICK_MS = 250;
 const RETRY_MS = 1_500;
+/** From one motion asked for to the next, so that many can take part at once. The server's brake lies above it. */
+const APART_MS = 50;
+/** The answer before this step is still on its way. */
+const EARLY_MS = 300;
 /** Seconds left at which those who do not see the clock are told. */
 const TOLD = [60, 10];
+
+const passed = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
 
 @customElement("matching-task")
 export class MatchingTask extends LitElement {
@@ -38,7 +44,7 @@ export class MatchingTask extends LitElement {
   #form!: Form;
   #timer: ReturnType<typeof setInterval> | undefined;
   readonly #clock = new Stopwatch();
-  readonly #moving = new Latest<null>(() => this.#make());
+  readonly #moving = new Latest<null>(async () => void (await Promise.all([this.#make(), passed(APART_MS)])));
 
   protected override createRenderRoot(): HTMLElement {
     return this;
@@ -149,9 +155,14 @@ export class MatchingTask extends LitElement {
     if (!(error instanceof ApiError)) throw error;
     if (this.#closing) return this.#end(positions(this.view, this.#form));
     this.#clock.rest();
+    if (error.code === "too_early") return this.#again(EARLY_MS);
     if (!error.transient) return void (this.refused = error);
     this.away = true;
-    setTimeout(() => this.isConnected && this.#moving.ask(null), RETRY_MS);
+    this.#again(RETRY_MS);
+  }
+
+  #again(ms: number): void {
+    setTimeout(() => this.isConnected && this.#moving.ask(null), ms);
   }
 
   protected override render(): TemplateResult {
