@@ -15,7 +15,9 @@ from app.persistence.engine import Database
 from app.persistence.models import Study, StudySession
 from app.schemas.codebook import Codebook, Table
 from app.schemas.results import SessionKind
+from app.services import export_moves
 from app.services.export_columns import Field, long_fields
+from app.services.export_moves import Move
 from app.services.export_rows import Row, rows_of
 from app.services.export_wide import Person, WideField, wide_fields
 from app.services.studies import find
@@ -100,24 +102,14 @@ def responses_jsonl(found: Exported) -> Iterator[bytes]:
     )
 
 
-MOVES = ("session", "trial_index", "revision", "part", "stimulus", "interface", "milliseconds",
-         "slider", "position")  # fmt: skip
-
-
 def moves_csv(found: Exported) -> Iterator[str]:
     """Every move of a slider in matches, one row a move, in their order."""
-    return csv_pieces(MOVES, (move for row in found.rows() for move in _moves(row)))
+    return csv_pieces(export_moves.HEADS, map(cells_of(export_moves.FIELDS), _moves(found)))
 
 
-def _moves(row: Row) -> Iterator[list[object]]:
-    answer = row.answer
-    path: list[tuple[float, str, float]] = answer.record.get("path") or []
-    about = [
-        str(row.participant.id), answer.trial_index, answer.revision, answer.part,
-        row.name_of(row.clip or ""), answer.answers.get("interface"),
-    ]  # fmt: skip
-    for milliseconds, slider, position in path:
-        yield [*about, milliseconds, slider, position]
+def _moves(found: Exported) -> Iterator[Move]:
+    for row in found.rows():
+        yield from export_moves.moves([row])
 
 
 def recruiting_csv(found: Exported) -> Iterator[str]:

@@ -16,7 +16,7 @@ import orjson
 
 from app.persistence.models import now
 from app.schemas.codebook import Codebook, Column
-from app.services import analysis
+from app.services import analysis, export_moves
 from app.services.export_columns import long_fields
 from app.services.exports import (
     Exported,
@@ -35,9 +35,10 @@ README = """# {title}
 
 The answers of a perception study, one CSV file a participant in data/, one row an answer; where
 each of several figures got a number, one row a figure. session, trial_index, revision and figure
-together name a row; of each answer the rows with newest = 1 count. Participants are known by a
-pseudonym alone; those who withdrew are not in here, those with excluded = 1 were left out of the
-results by a researcher, for the reason beside it.
+together name a row; of each answer the rows with newest = 1 count. Where sliders were moved to
+match a target, the participant has a second file (description-moves), one row a move. Participants
+are known by a pseudonym alone; those who withdrew are not in here, those with excluded = 1 were
+left out of the results by a researcher, for the reason beside it.
 
 - dataset_description.json: what every column means
 - documentation/: the same as a table
@@ -71,7 +72,7 @@ def _zipped(found: Exported, moment: datetime) -> Iterator[bytes]:
 
 
 def _files(found: Exported, moment: datetime) -> Iterator[tuple[str, str | bytes]]:
-    book = codebook(found)
+    book = _all_columns(found)
     yield "dataset_description.json", _json(description(book, moment))
     yield "README.md", README.format(title=book.title, hash=book.study_hash)
     yield "CHANGES.md", CHANGES.format(moment=moment)
@@ -85,14 +86,26 @@ def _files(found: Exported, moment: datetime) -> Iterator[tuple[str, str | bytes
     yield from _data(found)
 
 
+def _all_columns(found: Exported) -> Codebook:
+    """The codebook of all data files: of answers, and of slider paths where the study has them."""
+    book = codebook(found)
+    more = export_moves.columns_beside(book.columns, found.listed)
+    return book.model_copy(update={"columns": (*book.columns, *more)})
+
+
 def _data(found: Exported) -> Iterator[tuple[str, str]]:
     fields, study = long_fields(found.listed), found.study.slug.replace("-", "")
     heads, cells = [one.column.name for one in fields], cells_of(fields)
     empty = True
     for rows in found.by_participant():
         empty = False
-        name = f"study-{study}_subject-{rows[0].participant.id.hex}_data.csv"
-        yield f"data/{name}", "".join(csv_pieces(heads, map(cells, rows)))
+        name = f"data/study-{study}_subject-{rows[0].participant.id.hex}"
+        yield f"{name}_data.csv", "".join(csv_pieces(heads, map(cells, rows)))
+        if moves := [*map(cells_of(export_moves.FIELDS), export_moves.moves(rows))]:
+            yield (
+                f"{name}_description-moves_data.csv",
+                "".join(csv_pieces(export_moves.HEADS, moves)),
+            )
     if empty:  # a dataset needs a data file; this one says that nobody answered yet
         yield f"data/study-{study}_data.csv", "".join(csv_pieces(heads, ()))
 

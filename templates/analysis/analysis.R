@@ -11,6 +11,7 @@ against <- "others"  # the other clips of the best one's body; "all" keeps the b
 # newest answer, no practice and no attention checks.
 files <- if (file.exists(answers_file)) answers_file else
   list.files("../data", pattern = "_data\\.csv$", full.names = TRUE)
+files <- grep("_description-moves_", files, value = TRUE, invert = TRUE) # paths of sliders
 answers <- do.call(rbind, lapply(files, read.csv, check.names = FALSE, encoding = "UTF-8"))
 counted <- answers[
   answers$session_state == "complete" & answers$excluded == 0 & answers$newest == 1 &

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import threading
+import zipfile
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from app.services.space_points import Recent
 from motion.blending.distance import matching_distance
 from motion.storage import clip_from_bytes
 from tests.app.conftest import Researching
+from tests.app.services.test_psych_ds import data_files, hold_to_the_rules
 from tests.support.study_files import CONSENT, TEXTS, THANKS
 
 THRESHOLD = 0.06
@@ -349,6 +351,12 @@ def test_the_tables_tell_every_interface_apart_and_every_move(
         "10.0", "e0", "0.4",
     ]  # fmt: skip
     assert {row["stimulus"] for row in moves} == {"one", "two"}
+    with zipfile.ZipFile(io.BytesIO(signed_in.get(f"{at}/psych-ds.zip").content)) as archive:
+        files = {name.partition("/")[2]: archive.read(name) for name in archive.namelist()}
+    hold_to_the_rules(files)
+    (path,) = (content for name, content in files.items() if "_description-moves_" in name)
+    assert list(csv.DictReader(io.StringIO(path.decode()))) == moves
+    assert len(data_files(files)) == 2
 
 
 def test_simulated_raters_say_that_they_cannot_match() -> None:

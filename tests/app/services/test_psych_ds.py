@@ -76,6 +76,10 @@ def rows_of(content):
     return list(csv.DictReader(io.StringIO(content.decode(), newline="")))
 
 
+def heads(content):
+    return next(csv.reader(io.StringIO(content.decode(), newline="")))
+
+
 def data_files(files):
     return {name: content for name, content in files.items() if name.startswith("data/")}
 
@@ -117,7 +121,9 @@ def hold_to_the_rules(files):
         assert table[0], "CSV_HEADER_MISSING"
         assert set(table[0]) <= set(variables), "CSV_COLUMN_MISSING_FROM_METADATA"
         assert {len(row) for row in table} == {len(table[0])}, "CSV_HEADER_LENGTH_MISMATCH"
-    assert table[0] == variables
+    assert {head for content in data_files(files).values() for head in heads(content)} == set(
+        variables
+    )
     ignored = files[".psychdsignore"].decode().split()
     known = ("data/", "dataset_description.json", "README.md", "CHANGES.md", ".psychdsignore")
     for name in files:
