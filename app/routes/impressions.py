@@ -28,7 +28,14 @@ from app.dependencies import (
 )
 from app.pages import render
 from app.schemas.errors import BUSY, ERRORS
-from app.schemas.impressions import AnalysisChoices, Comparison, Freeze, Impressions, Stability
+from app.schemas.impressions import (
+    AnalysisChoices,
+    ComparableList,
+    Comparison,
+    Freeze,
+    Impressions,
+    Stability,
+)
 from app.schemas.jobs import JobDetail
 from app.schemas.results import SessionKind
 from app.schemas.spaces import SpaceLine
@@ -155,6 +162,14 @@ def compare_impressions(
 ) -> Comparison:
     """The clusters of two studies side by side: how far they agree, which pairs moved."""
     return impression_comparison.comparison(db, access, part, other, other_part, kind)
+
+
+@api.get("/{part}/comparable")
+def list_comparable(
+    access: StudyViewer, part: str, db: Reading, kind: SessionKind = "participant"
+) -> ComparableList:
+    """The parts of your studies that this one can be compared with."""
+    return impression_comparison.comparable(db, access, part, kind)
 
 
 @api.post("/{part}/space", status_code=201, responses=BUSY)

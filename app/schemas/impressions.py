@@ -230,23 +230,66 @@ class MovedPair(BaseModel):
     there: Title | None
 
 
+class ComparedPair(BaseModel):
+    """A pair in a cluster that is compared.
+
+    Attributes:
+        differs: whether it is in another cluster elsewhere, or kept by one study only.
+        turned: whether its study asks for it the other way round; the words are already exchanged.
+    """
+
+    id: Name
+    left: Words
+    right: Words
+    differs: bool
+    turned: bool
+
+
+class ComparedCluster(BaseModel):
+    """A cluster beside those of another study.
+
+    Attributes:
+        like: index of the other study's cluster that it is matched with; None for none.
+    """
+
+    key: Name
+    title: Title
+    like: int | None
+    members: list[ComparedPair]
+
+
 class Comparison(BaseModel):
     """Two studies' solutions side by side.
 
     Attributes:
         shared: how many pairs both keep; rand: the adjusted Rand index over them.
-        together: this study's cluster title to the other's that it overlaps most.
+        turned: how many pairs the other study asks for the other way round; its answers to them
+            are turned before they are grouped.
     """
 
     here: str
     there: str
     shared: int
     rand: float | None
-    together: dict[str, str]
-    here_clusters: list[Cluster]
-    there_clusters: list[Cluster]
+    turned: int
+    here_clusters: list[ComparedCluster]
+    there_clusters: list[ComparedCluster]
     moved: list[MovedPair]
     sentence: str
+
+
+class Comparable(BaseModel):
+    """A part of a study that asks for some of the same pairs and has answers."""
+
+    slug: str
+    title: str
+    part: Name
+
+
+class ComparableList(BaseModel):
+    """What a part's analysis can be set beside."""
+
+    studies: list[Comparable]
 
 
 class Freeze(BaseModel):

@@ -36,14 +36,14 @@ def sentence(
     sure = sum(one.kept >= SURE for one in pairs if one.id in solution.kept)
     told = [
         f"With other participants of the same kind, {sure} of the {len(solution.kept)} kept pairs "
-        f"would stay in at least {SURE * 100:.0f} % of {samples:,} samples.",
+        f"would stay in at least {SURE * 100:.0f} % of {samples:,} draws.",
         f"The whole solution, pairs left out being a group of their own, is found again by an "
         f"adjusted Rand index of {_spoken(whole)}.",
     ]
     if shared:
         told.append(f"Over the pairs that both keep it is {_spoken(shared)}.")
     if solution.moved:
-        told.append("Moves by hand are not repeated in the samples.")
+        told.append("Moves by hand are not repeated in the draws.")
     return " ".join(told)
 
 
@@ -59,22 +59,22 @@ def _least(
 def _answer(last: ByParticipants, whole: ByParticipants | None) -> str:
     if whole:
         return (
-            f"About {whole.participants} participants would do: from there on the whole solution "
-            f"is found again by an index of {GOOD} or more on average; with {whole.participants} "
-            f"it is {_spoken(whole.whole)}."
+            f"The same pairs, grouped the same: from about {whole.participants} participants "
+            f"on the index is {GOOD} or more on average; with {whole.participants} it is "
+            f"{_spoken(whole.whole)}."
         )
     return (
-        f"More than {last.participants} participants are needed for the whole solution: "
-        f"with {last.participants} its index is {_spoken(last.whole)}, and {GOOD} is wanted."
+        f"The same pairs, grouped the same: with {last.participants} participants the index "
+        f"is {_spoken(last.whole)}, and {GOOD} is wanted on average."
     )
 
 
 def _groups(shared: ByParticipants | None) -> str:
     if shared is None or shared.shared is None:
-        return "How the kept pairs are grouped is no surer."
+        return "The groups alone, over the pairs that both keep, are no surer."
     return (
-        f"How pairs that are kept are grouped shows from about {shared.participants} on: "
-        f"{_spoken(shared.shared)} with {shared.participants}."
+        f"The groups alone, over the pairs that both keep: {_spoken(shared.shared)} "
+        f"with {shared.participants}."
     )
 
 

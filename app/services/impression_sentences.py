@@ -47,7 +47,7 @@ def outcome(asked: Answers, solution: Solution | None, titles: Sequence[Called])
     gone = len(asked.pairs) - len(solution.kept)
     left = f"; {gone} {'is' if gone == 1 else 'are'} dropped" if gone else ""
     made = "one cluster" if len(parts) == 1 else f"{len(parts)} clusters"
-    return f"{begun}. {len(solution.kept)} are kept{left}. They make {made}: {_listed(parts)}."
+    return f"{begun}. {len(solution.kept)} are kept{left}. They make {made}: {listed(parts)}."
 
 
 def problem(asked: Answers, choices: AnalysisChoices) -> str:
@@ -74,7 +74,7 @@ def notes(
     """What of the answers or the choices could not be taken in, a sentence each."""
     found = []
     if len(asked.numbers) > 1:
-        found.append(f"Versions {_listed(list(map(str, asked.numbers)))} are taken together.")
+        found.append(f"Versions {listed(list(map(str, asked.numbers)))} are taken together.")
     if len(asked.ratings) >= LEAST and np.isnan(asked.quantified.mean_spread).all():
         found.append(
             "No two people rated the same clip, so how far they agree is unknown; "
@@ -86,7 +86,7 @@ def notes(
     if missing := _missing(asked, solution):
         found.append(
             f"{_count(len(missing), 'clip')} without an answer on every kept pair "
-            f"{'is' if len(missing) == 1 else 'are'} left out of the tree: {_listed(missing)}."
+            f"{'is' if len(missing) == 1 else 'are'} left out of the tree: {listed(missing)}."
         )
     if len(solution.kept) < choices.clusters:
         found.append(f"Only {len(solution.kept)} pairs are kept, so each is a cluster of its own.")
@@ -124,7 +124,7 @@ def _count(count: int, what: str) -> str:
     return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
-def _listed(parts: Sequence[str]) -> str:
+def listed(parts: Sequence[str]) -> str:
     """Up to twelve, with commas and an “and”."""
     shown = list(parts[:12])
     if more := len(parts) - len(shown):

@@ -5,6 +5,8 @@ Source: M. Oshita et al., sections 3.4 to 3.6. What is computed, and from what: 
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from dataclasses import replace
 from datetime import datetime
 from typing import Any, NamedTuple
 
@@ -27,9 +29,11 @@ from app.schemas.results import SessionKind
 from app.services import impression_names as naming
 from app.services import impression_sentences as sentences
 from app.services.impression_answers import Answers, answers, rated_clips
+from app.services.impression_pairs import other_way
 from app.services.impression_solution import LEAST, Solution, solve
 from app.services.rights import NEEDED
 from app.statistics.intervals import Samples
+from app.statistics.quantification import quantify
 
 
 class Live(NamedTuple):
@@ -74,6 +78,30 @@ def analysed(
     row = store.saved(db, found.study_id, found.part.id)
     saved = AnalysisChoices.model_validate(row.choices) if row else defaults(found.reach)
     return _by_choices(found, saved, row.saved_at if row else None, live or Live())
+
+
+def turned(found: Analysed, pairs: Collection[str]) -> Analysed:
+    """The saved analysis as it were, had these pairs been asked the other way round.
+
+    What is kept stays the same, but a turned pair goes together with others. Names go along to the
+    clusters that overlap theirs most.
+    """
+    asked = found.answers
+    signs = np.array([-1.0 if pair in pairs else 1.0 for pair in asked.ids])
+    ratings = asked.ratings * signs
+    there = replace(
+        asked,
+        pairs=tuple(other_way(pair) if pair.id in pairs else pair for pair in asked.pairs),
+        ratings=ratings,
+        quantified=quantify(ratings),
+    )
+    solution = _solved(there, found.saved)
+    names: dict[str, str] = {}
+    if found.solution and solution:
+        names = naming.carried(found.solution, found.saved.names, solution)
+    moved = solution.moved if solution else {}
+    in_force = found.saved.model_copy(update={"names": names, "moved": moved})
+    return found._replace(answers=there, choices=in_force, solution=solution)
 
 
 def defaults(reach: int) -> AnalysisChoices:

@@ -1,10 +1,11 @@
 // <cluster-list>: the clusters in columns, to be named, and their pairs to be moved by hand.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { live } from "lit/directives/live.js";
+import { repeat } from "lit/directives/repeat.js";
 import { icon } from "../icons";
 import { ask } from "./events";
-import { counted, groupOf, pairWords, share, type Cluster, type Impressions } from "./model";
+import { counted, groupOf, pairWords, share, type Cluster, type Impressions, type Pair } from "./model";
 import { paint } from "./paint";
 
 const CARRIED = "application/x-manner-pair";
@@ -15,9 +16,36 @@ export class ClusterList extends LitElement {
   @state() private showNumbers = false;
   /** The cluster above which a pair is being carried. */
   @state() private over: string | null = null;
+  /** Where a pair that was moved has come to, said aloud. */
+  @state() private said = "";
+  /** The pair that is being moved, with the cluster that it was in: the focus goes along. */
+  private followed: { id: string; from: number | null } | null = null;
 
   protected override createRenderRoot(): HTMLElement {
     return this;
+  }
+
+  protected override willUpdate(changed: PropertyValues): void {
+    const pair = this.pair(this.followed?.id);
+    if ((changed as Map<string, unknown>).has("data") && pair && pair.cluster !== this.followed?.from) {
+      this.said = `${pairWords(pair)} is now in ${this.data.clusters[pair.cluster ?? 0]?.title ?? "another cluster"}.`;
+    }
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    const pair = this.pair(this.followed?.id);
+    if (!(changed as Map<string, unknown>).has("data") || !pair || pair.cluster === this.followed?.from) return;
+    this.followed = null;
+    this.querySelector<HTMLElement>(`li[data-pair="${pair.id}"] :is(select, button)`)?.focus();
+  }
+
+  private pair(id: string | undefined): Pair | undefined {
+    return this.data.pairs.find((one) => one.id === id);
+  }
+
+  private move(id: string, to: string | null): void {
+    this.followed = { id, from: this.pair(id)?.cluster ?? null };
+    ask(this, "move", { pair: id, to });
   }
 
   protected override render(): TemplateResult {
@@ -27,7 +55,8 @@ export class ClusterList extends LitElement {
         <p>${may_edit ? "Give each a name that says what its pairs have in common. A pair that belongs elsewhere can be moved; that is logged. " : ""}Below the pairs: each clip’s mean over them, from the left adjectives (0) to the right ones (1).</p></div>
         <button class="button" type="button" aria-pressed=${this.showNumbers} @click=${() => (this.showNumbers = !this.showNumbers)}>${icon("table")}Show numbers</button>
       </header>
-      <div class="clusters">${clusters.map((cluster, index) => this.column(cluster, index))}</div>`;
+      <p class="visually-hidden" role="status">${this.said}</p>
+      <div class="clusters">${repeat(clusters, ({ key }) => key, (cluster, index) => this.column(cluster, index))}</div>`;
   }
 
   private column(cluster: Cluster, index: number): TemplateResult {
@@ -40,13 +69,13 @@ export class ClusterList extends LitElement {
     const drop = (event: DragEvent) => {
       const pair = event.dataTransfer?.getData(CARRIED);
       this.over = null;
-      if (pair && !members.includes(pair)) ask(this, "move", { pair, to: key });
+      if (pair && !members.includes(pair)) this.move(pair, key);
     };
     return html`<section class="cluster group-${groupOf(index)} ${this.over === key ? "over" : ""}" aria-label=${cluster.title}
         @dragover=${enter} @dragleave=${() => (this.over = null)} @drop=${drop}>
       ${this.name(cluster)}
       <p class="tiny">${counted(members.length, "pair")}</p>
-      <ul>${members.map((id) => this.member(id, cluster))}</ul>
+      <ul>${repeat(members, (id) => id, (id) => this.member(id, cluster))}</ul>
       ${this.values(cluster)}
     </section>`;
   }
@@ -59,17 +88,17 @@ export class ClusterList extends LitElement {
   }
 
   private member(id: string, cluster: Cluster): TemplateResult | typeof nothing {
-    const pair = this.data.pairs.find((one) => one.id === id);
+    const pair = this.pair(id);
     if (!pair) return nothing;
     const carry = (event: DragEvent) => {
       event.dataTransfer?.setData(CARRIED, id);
       if (event.dataTransfer) event.dataTransfer.effectAllowed = "move";
     };
     const { may_edit } = this.data;
-    return html`<li draggable=${may_edit ? "true" : "false"} @dragstart=${carry}>
+    return html`<li data-pair=${id} draggable=${may_edit ? "true" : "false"} @dragstart=${carry}>
       <span class="adjectives">${pairWords(pair)}</span>
       ${may_edit && !pair.moved ? this.mover(id, pairWords(pair), cluster) : nothing}
-      ${pair.moved ? html`<span class="tiny moved">moved by hand${may_edit ? html` <button class="link-button" type="button" aria-label="Undo moving ${pairWords(pair)}" @click=${() => ask(this, "move", { pair: id, to: null })}>Undo</button>` : nothing}</span>` : nothing}</li>`;
+      ${pair.moved ? html`<span class="tiny moved">moved by hand${may_edit ? html` <button class="link-button" type="button" aria-label="Undo moving ${pairWords(pair)}" @click=${() => this.move(id, null)}>Undo</button>` : nothing}</span>` : nothing}</li>`;
   }
 
   private mover(id: string, words: string, cluster: Cluster): TemplateResult | typeof nothing {
@@ -77,7 +106,7 @@ export class ClusterList extends LitElement {
     if (!others.length) return nothing;
     const choose = (event: Event) => {
       const select = event.target as HTMLSelectElement;
-      if (select.value) ask(this, "move", { pair: id, to: select.value });
+      if (select.value) this.move(id, select.value);
       select.value = "";
     };
     return html`<select class="mover" aria-label="Move ${words} to" @change=${choose}><option value="">Move to…</option>

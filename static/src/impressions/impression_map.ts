@@ -52,11 +52,11 @@ export class ImpressionMap extends LitElement {
     const { clips, kept, pairs } = data;
     return html`<header>
         <h2 class="figure-title" id="together">Which adjective pairs go together</h2>
-        <p>Ward’s method over ${clips.length} clips, ${kept.length} pairs kept of ${pairs.length}. Drag the cut: <span class="cluster-count">${counted(data.clusters.length, "cluster")}</span>.</p>
+        <p>Ward’s method over ${clips.length} clips, ${kept.length} pairs kept of ${pairs.length}. Drag the cut, or move it with the arrow keys: <span class="cluster-count">${counted(data.clusters.length, "cluster")}</span>.</p>
       </header>
       <div class="map-scroll ${clips.length <= MOST_BESIDE ? "fits" : ""}"><div class="map">${this.tree()}${this.table()}</div></div>
       <div class="map-foot">${this.legend()}
-        <p class="readout" aria-live="polite">${this.read ? this.words(this.read) : "Point at a cell, or go to it with the arrow keys, to read it."}</p>
+        <p class="readout" aria-live="polite">${this.read ? this.words(this.read) : "Point at a cell or tap it, or go to it with the arrow keys, to read it."}</p>
         <button class="button" type="button" aria-pressed=${this.showNumbers} @click=${() => (this.showNumbers = !this.showNumbers)}>${icon("table")}Show numbers</button>
       </div>
       <p class="tiny prints">For print: <a href=${this.figure("heat-map")} download>the matrix</a>, <a href=${this.figure("dendrogram")} download>the tree</a> (SVG)</p>`;

@@ -174,7 +174,8 @@ export class ImpressionsPage extends LitElement {
         ${data.notes.length ? html`<div class="note notes">${icon("info")}<div>${data.notes.map((note) => html`<p>${note}</p>`)}</div></div>` : nothing}
         <div @limits=${this.changed} @rename=${this.renamed} @move=${this.moved}>
           <section class="section" aria-labelledby="pairs"><header><h2 class="figure-title" id="pairs">Which pairs say something</h2>
-            <p>A pair is left out where no clip stands out in it (μ* too low), or where people see the same clip differently (σ̄, the mean sample standard deviation, too high). Move the thresholds: the rest follows.</p></header>
+            <p>A pair is left out where no clip stands out in it (μ* too low), or where people see the same clip differently (σ̄, the mean sample standard deviation, too high). Move the thresholds: the rest follows.</p>
+            <p>Both are in steps of the answers, from −${data.reach} to ${data.reach}: μ* is 0 where all clips seem neutral and ${data.reach} at most; σ̄ is 0 where everybody agrees. After Oshita et al., section 3.4, equations 1 to 3.</p></header>
             <pair-table .data=${data} .limits=${limits}></pair-table></section>
           ${data.problem ? html`<p class="note section" role="status">${icon("info")}<span>${data.problem}</span></p>` : this.solution(data, limits)}
         </div>`}`;

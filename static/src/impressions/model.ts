@@ -9,6 +9,8 @@ export type Cluster = Schemas["Cluster"];
 export type Merge = Schemas["Merge"];
 export type Stability = Schemas["Stability"];
 export type Comparison = Schemas["Comparison"];
+export type Comparable = Schemas["Comparable"];
+export type Job = Schemas["JobDetail"];
 export type SpaceLine = Schemas["SpaceLine"];
 type Words = Pair["left"];
 
@@ -47,6 +49,12 @@ export function reasons({ peak, spread, dropped }: Pair, { least_peak, most_spre
     ...(spread !== null && spread > most_spread! ? ["people disagree"] : []),
   ];
   return found.join(", ") || dropped;
+}
+
+/** What a comparison is called in the menu: a study's name, with the part where it has several. */
+export function comparableName({ slug, title, part }: Comparable, all: readonly Comparable[]): string {
+  const several = all.filter((one) => one.slug === slug).length > 1;
+  return several ? `${title} · ${part.replaceAll("_", " ")}` : title;
 }
 
 /** Units stay with their numbers: a line never breaks before the sign. */

@@ -43,7 +43,7 @@ export class SetMaker extends LitElement {
         api.get<Schemas["JobList"]>("/api/v1/jobs"),
         api.get<Schemas["ClipList"]>("/api/v1/clips"),
       ]);
-      const shown = location.hash.slice(1) || jobs.find(isOpen)?.id;
+      const shown = location.hash.slice(1) || jobs.find((job) => job.kind === "clips" && isOpen(job))?.id;
       if (shown) await this.watch.ask(shown);
       this.presets = presets;
       this.clips = clips;

@@ -9,7 +9,8 @@ from app.errors import NotFoundError
 from app.persistence.models import Researcher
 from app.schemas.impressions import AnalysisChoices
 from app.services import impression_choices, impression_comparison, rights
-from tests.support import rated_pairs
+from tests.support import rated_pairs, study_files
+from tests.support.published import add_published
 
 GROUPS = [3, 2, 4]
 PART = rated_pairs.PART
@@ -43,7 +44,8 @@ def test_a_study_agrees_with_itself(db, put):
     access = put("one", rated_pairs.latent(8, 10, GROUPS))
     found = impression_comparison.comparison(db, access, PART, "one")
     assert (found.shared, found.rand, found.moved) == (PAIRS, 1.0, [])
-    assert found.together == {one.title: one.title for one in found.here_clusters}
+    assert [one.like for one in found.here_clusters] == [0, 1, 2]
+    assert found.turned == 0
 
 
 def test_pairs_that_went_elsewhere_and_those_that_one_study_drops_are_named(db, put):
@@ -68,6 +70,59 @@ def test_pairs_of_other_ids_are_known_by_their_words(db, put):
     put("two", ratings[:, :, ::-1], scales=named[::-1])
     found = impression_comparison.comparison(db, access, PART, "two")
     assert (found.shared, found.rand) == (PAIRS, 1.0)
+
+
+def turned(scale):
+    return {**scale, "left": scale["right"], "right": scale["left"]}
+
+
+@pytest.mark.parametrize("ids", ["pair", "other"])
+def test_pairs_asked_the_other_way_round_are_the_same_pairs(db, put, ids):
+    ratings = rated_pairs.latent(8, 10, GROUPS)
+    other, scales = ratings.copy(), rated_pairs.scales(PAIRS)
+    for place in (1, 6):
+        other[:, :, place] *= -1
+        scales[place] = turned(scales[place])
+    named = [{**scale, "id": f"{ids}_{n}"} for n, scale in enumerate(scales)]
+    access = put("one", ratings)
+    put("two", other, scales=named)
+    found = impression_comparison.comparison(db, access, PART, "two")
+    assert (found.shared, found.rand, found.moved, found.turned) == (PAIRS, 1.0, [], 2)
+    assert "“left 1 – right 1” and “left 6 – right 6” are asked the other way round in “Two”" in (
+        found.sentence
+    )
+    of_there = [pair for cluster in found.there_clusters for pair in cluster.members]
+    assert {str(pair.left) for pair in of_there if pair.turned} == {"left 1", "left 6"}
+
+
+def test_clusters_of_one_title_are_not_taken_for_each_other(db, put):
+    scales = [{"id": f"pair_{n}", "left": "left", "right": "right"} for n in range(PAIRS)]
+    access = put("one", rated_pairs.latent(8, 10, GROUPS), scales=scales)
+    found = impression_comparison.comparison(db, access, PART, "one")
+    assert {one.title for one in found.here_clusters} == {"left – right"}
+    assert [one.like for one in found.here_clusters] == [0, 1, 2]
+    assert [one.like for one in found.there_clusters] == [0, 1, 2]
+
+
+def test_only_what_can_be_compared_is_offered(db, put, rosa):
+    ratings = rated_pairs.latent(8, 10, GROUPS)
+    access = put("one", ratings)
+    scales = rated_pairs.scales(PAIRS)
+    put("two", ratings, scales=[turned(scale) for scale in scales])
+    put("empty", np.empty((0, 10, PAIRS)))
+    others = [
+        {"id": f"other_{n}", "left": f"one {n}", "right": f"another {n}"} for n in range(PAIRS)
+    ]
+    put("foreign", ratings, scales=others)
+    add_published(db, study_files.study(study_files.trials("analogue"), slug="ratings"))
+    strangers = rated_pairs.definition(10, PAIRS, slug="strangers")
+    stranger = Researcher(email="sam@example.org", name="Sam", password_hash="-")
+    db.add(stranger)
+    db.commit()
+    rights.make_owner(db, rated_pairs.rated(db, strangers, ratings), stranger.id)
+    found = impression_comparison.comparable(db, access, PART, "participant")
+    assert [(one.slug, one.part) for one in found.studies] == [("two", PART)]
+    assert impression_comparison.comparable(db, access, PART, "simulated").studies == []
 
 
 def test_a_study_without_answers_is_said_to_have_no_clusters_yet(db, put):

@@ -127,7 +127,7 @@ def test_clear_factors_are_found_again_and_every_pair_is_kept(database, study):
     tried = [one.participants for one in found.by_participants]
     assert tried == sizes(8)
     assert found.enough.whole in tried
-    assert f"About {found.enough.whole} participants would do" in found.enough.sentence
+    assert f"from about {found.enough.whole} participants on" in found.enough.sentence
 
 
 def test_pure_noise_is_not_called_stable(database):
@@ -135,7 +135,7 @@ def test_pure_noise_is_not_called_stable(database):
     found = computed(database, live=Live(0.0, 10.0, 3))
     assert found.whole.mean < 0.7
     assert found.enough.whole is None
-    assert "More than 12 participants are needed" in found.enough.sentence
+    assert "with 12 participants the index is 0." in found.enough.sentence
 
 
 def test_enough_participants_are_the_least_from_which_on_the_index_is_good():
@@ -150,7 +150,7 @@ def test_enough_participants_are_the_least_from_which_on_the_index_is_good():
     found = enough(tried)
     assert (found.whole, found.shared, found.most) == (14, 8, 28)
     assert "with 14 it is 0.90 (95 % of draws: 0.60 to 1.00)" in found.sentence
-    assert "0.91 (95 % of draws: 0.71 to 1.00) with 8" in found.sentence
+    assert "0.91 (95 % of draws: 0.71 to 1.00) with 8." in found.sentence
     assert enough(tried[:2]).whole is None
 
 
