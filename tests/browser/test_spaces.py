@@ -228,7 +228,16 @@ def test_events_that_are_moved_make_the_next_version(space: Page, server: Server
     mix(page).locator(".weight-name").first.click()
     expect(event).to_have_attribute("aria-valuenow", f"{before + 0.03:.2f}")
     page.goto(server.url + "/studio/spaces")
+    page.get_by_text("1 older version").click()
     expect(page.get_by_role("link", name=DEMONSTRATION)).to_have_count(2)
+    page.get_by_role("button", name=f"Delete {DEMONSTRATION}, version 2").press("Enter")
+    question = page.get_by_role("dialog", name=f"Delete “{DEMONSTRATION}”, version 2")
+    expect(question.get_by_role("button", name="Keep it")).to_be_focused()
+    assert grave_faults(page) == []
+    question.get_by_role("button", name="Delete").click()
+    expect(page.get_by_text("version 2, is deleted")).to_be_visible()
+    expect(page.get_by_role("heading", name="Spaces")).to_be_focused()
+    expect(page.get_by_role("link", name=DEMONSTRATION)).to_have_count(1)
 
 
 def test_a_space_is_made_of_clips_and_another_one_joins_it(space: Page, server: Server):

@@ -5,7 +5,8 @@ import { stepsOf, type Edited } from "../studio/server";
 
 type Schemas = components["schemas"];
 export type Space = Schemas["SpaceDetail"];
-export type SpaceLine = Schemas["SpaceLine"];
+export type ListedSpace = Schemas["ListedSpace"];
+export type Versions = "one" | "all";
 export type Sliders = Schemas["Sliders"];
 export type Point = Schemas["Point"];
 export type Prediction = Schemas["Prediction"];
@@ -24,6 +25,8 @@ const at = (id: string): string => `/api/v1/spaces/${id}`;
 
 export const spaces = async () => (await api.get<Schemas["SpaceList"]>("/api/v1/spaces")).spaces;
 export const make = (name: string, clips: readonly string[]) => api.post<Space>("/api/v1/spaces", { name, clips });
+/** Delete a space, or every version of its name; its clips stay. */
+export const remove = (id: string, versions: Versions) => api.delete(at(id), { query: { versions } });
 export const space = (id: string) => api.get<Space>(at(id));
 
 export async function motion(id: string, point: Point): Promise<Blended> {

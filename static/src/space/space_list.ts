@@ -10,7 +10,9 @@ import * as studio from "../studio/server";
 import { asApiError } from "../studio/session";
 import { fitted, fittingSteps, fittingWords } from "./fitting";
 import * as server from "./server";
-import { lineWords } from "./list_words";
+import { byName, examplesWords, madeWords, originWords } from "./list_words";
+import type { SpaceRemoval } from "./space_removal";
+import "./space_removal";
 import "../studio/picker";
 import "../viewer";
 
@@ -20,13 +22,15 @@ const MOST = 64;
 
 @customElement("space-list")
 export class SpaceList extends LitElement {
-  @state() private spaces: server.SpaceLine[] | undefined;
+  @state() private spaces: server.ListedSpace[] | undefined;
   @state() private clips: Clip[] = [];
   @state() private chosen: readonly string[] = [];
   @state() private problem: ApiError | null = null;
   @state() private refused: ApiError | null = null;
   @state() private making = false;
+  @state() private told = "";
   @query(".make-dialog") private dialog!: HTMLDialogElement;
+  @query("space-removal") private removal!: SpaceRemoval;
   @query("clip-picker") private picker!: ClipPicker;
 
   protected override createRenderRoot(): HTMLElement {
@@ -104,23 +108,48 @@ export class SpaceList extends LitElement {
 
   protected override render(): TemplateResult {
     const { spaces, problem } = this;
-    return html`<header class="page-header"><h1>Spaces</h1><div class="buttons">
+    return html`<header class="page-header"><h1 tabindex="-1">Spaces</h1><div class="buttons">
         <button class="button ${spaces?.length === 0 ? "primary" : ""}" type="button" @click=${() => void this.begin()}>${icon("plus")}Make a space from clips</button></div></header>
       <p class="lede">In a space you make a motion by saying how it feels: example motions are mixed as the sliders ask.</p>
+      <p class="removed" role="status">${this.told}</p>
       ${problem ? problemNote(problem, () => void this.load()) : spaces ? this.list(spaces) : html`<p class="quiet" role="status">The spaces are on their way.</p>`}
       ${this.form()}
+      <space-removal @removed=${({ detail }: CustomEvent<string>) => void this.renew(detail)}></space-removal>
       <clip-picker several .clips=${this.clips} @pick=${({ detail }: CustomEvent<readonly string[]>) => this.add(detail)}></clip-picker>`;
   }
 
-  private list(spaces: readonly server.SpaceLine[]): TemplateResult {
+  private list(spaces: readonly server.ListedSpace[]): TemplateResult {
     if (!spaces.length) {
       return html`<div class="empty"><h2 class="figure-title">No space yet</h2>
-        <p>Freeze one from the impressions of a study with adjectives, or make one from clips: its sliders are then features of their motion.</p></div>`;
+        <p>Ask people about clips in a study with pairs of adjectives: its tab <i>Impressions</i> makes a space of their answers.
+          Or make one from clips, without asking anybody: its sliders are then features of their motion.</p>
+        <div class="buttons"><a class="button" href="/research/studies">Go to the studies</a></div></div>`;
     }
-    return html`<ul class="rows space-rows">${spaces.map((space) => html`<li class=${space.newest ? "" : "older"}>
-      <h2 class="figure-title"><a href="/studio/spaces/${space.id}">${space.name}</a></h2>
-      <p class="tiny"><span class="tag">version ${space.number}</span>${space.simulated ? html` <span class="tag">simulated raters</span>` : nothing}
-        ${lineWords(space)}</p></li>`)}</ul>`;
+    return html`<ul class="rows space-rows">${byName(spaces).map((versions) => this.named(versions))}</ul>`;
+  }
+
+  /** A name with its newest version, and the older ones below. */
+  private named(versions: readonly server.ListedSpace[]): TemplateResult {
+    const [newest, ...older] = versions;
+    return html`<li><h2 class="figure-title"><a href="/studio/spaces/${newest!.id}">${newest!.name}</a></h2>
+      ${this.line(newest!, versions, html`version ${newest!.number}`)}
+      ${older.length ? html`<details><summary>${older.length} older ${older.length === 1 ? "version" : "versions"}</summary>
+        ${older.map((space) => this.line(space, versions, html`<a href="/studio/spaces/${space.id}" aria-label="${space.name}, version ${space.number}">version ${space.number}</a>`))}</details>` : nothing}</li>`;
+  }
+
+  private line(space: server.ListedSpace, versions: readonly server.ListedSpace[], version: TemplateResult): TemplateResult {
+    const { study, study_title, may_delete, name, number } = space;
+    return html`<p class="space-line"><span class="tag">${version}</span> <span>${examplesWords(space)}</span>
+      <span>${study_title ? html`from <a href="/research/studies/${study}">${study_title}</a>` : originWords(space)}</span> <span>${madeWords(space)}</span>
+      ${may_delete ? html`<button class="link-button" type="button" aria-haspopup="dialog" aria-label="Delete ${name}, version ${number}"
+        @click=${() => void this.removal.ask(space, versions)}>Delete</button>` : nothing}</p>`;
+  }
+
+  /** The button that had the focus may be gone. */
+  private async renew(told: string): Promise<void> {
+    await this.load();
+    this.told = told;
+    this.querySelector<HTMLElement>("h1")?.focus();
   }
 
   private add(clips: readonly string[]): void {
