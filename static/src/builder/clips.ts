@@ -5,6 +5,7 @@ import type { Clip } from "../library/model";
 import type { Field } from "./fields";
 import { idOf, notes, type Editing } from "./form";
 import { at, listOf, textOf, type Json, type Path } from "./model";
+import { isMade } from "./stimulus";
 
 const FIRST = 6;
 
@@ -19,9 +20,9 @@ export function shownOf(stimulus: Json | undefined, clips: readonly Clip[]): Sho
   const reference = textOf(stimulus) || textOf(at(stimulus, ["clip"])) || textOf(at(made, ["source"]));
   const clip = clips.find(({ id, name }) => id === reference || name === reference);
   const called = textOf(at(stimulus, ["name"])) || clip?.name || reference.slice(0, 40);
-  if (at(made, ["space"])) return { clip, name: called || "a motion of the space" };
+  if (at(made, ["space"])) return { clip, name: called || `a motion of ${textOf(at(made, ["space"]))}` };
   const how = textOf(at(made, ["preset"])).replaceAll("_", " ") || "edited";
-  return { clip, name: made && !at(stimulus, ["clip"]) ? `${called} · ${how}` : called };
+  return { clip, name: isMade(stimulus) ? `${called} · ${how}` : called };
 }
 
 export function clipField(field: Extract<Field, { type: "clip" }>, path: Path, value: Json | undefined, editing: Editing): TemplateResult {
@@ -53,7 +54,8 @@ export function clipsField(field: Extract<Field, { type: "clips" }>, path: Path,
 function stimulus(value: Json, path: Path, editing: Editing): TemplateResult {
   const { clip, name } = shownOf(value, editing.clips);
   const faulty = editing.problems.some(({ where }) => path.every((step, index) => where[index] === step));
-  return html`<li class=${faulty ? "faulty" : ""} data-card>${still(clip)}<span class="stimulus-name" title=${name}>${name}</span>
+  return html`<li class=${faulty ? "faulty" : ""} data-card><button class="look" type="button" aria-haspopup="dialog" aria-label=${`Look at ${name}`} @click=${() => editing.look(path)}>${still(clip)}</button>
+    <span class="stimulus-name" title=${name}>${name}</span>
     <button class="remove" type="button" aria-label=${`Remove ${name}`} @click=${() => editing.set(path, undefined)}>${icon("close")}</button>
     ${faulty ? notes({}, path, { problems: editing.problems }, true) : nothing}</li>`;
 }
@@ -61,4 +63,4 @@ function stimulus(value: Json, path: Path, editing: Editing): TemplateResult {
 const still = (clip: Clip | undefined): TemplateResult | typeof nothing =>
   clip?.figure_url
     ? html`<span class="still"><motion-thumbnail src=${clip.glb_url} figure=${clip.figure_url} poster-time=${clip.poster_time}></motion-thumbnail></span>`
-    : html`<span class="still"></span>`;
+    : html`<span class="still">${icon("play")}</span>`;

@@ -16,10 +16,14 @@ export interface Editing {
   language: Language;
   problems: readonly Problem[];
   clips: readonly Clip[];
+  /** Whether anything may be changed. */
+  editable: boolean;
   /** Whether clips beyond the first few are shown. */
   allClips: boolean;
   set(path: Path, value: Json | undefined): void;
   pick(several: boolean, chosen: (ids: string[]) => void): void;
+  /** Show the stimulus that stands there. */
+  look(path: Path): void;
   showAllClips(): void;
 }
 

@@ -25,6 +25,12 @@ async function spaces(): Promise<Space[]> {
   }
 }
 
+/** The id of the newest space of this name; an id stays what it is. */
+export async function newestOf(called: string): Promise<string> {
+  const found = (await spaces()).find(({ id, name, newest }) => id === called || (newest && name === called));
+  return found?.id ?? called;
+}
+
 export function spaceField(field: Extract<Field, { type: "space" }>, path: Path, value: Json | undefined, editing: Editing): TemplateResult {
   const choose = ({ detail }: CustomEvent<string>) => editing.set(path, detail);
   return html`<div class="field"><label for=${idOf(path)}>${field.label}</label>
@@ -94,8 +100,7 @@ export class TargetDrawer extends LitElement {
     this.busy = true;
     this.said = "";
     try {
-      const space = (await spaces()).find(({ id, name }) => id === this.space || name === this.space);
-      const { targets } = await api.post<Schemas["TargetList"]>(`/api/v1/spaces/${space?.id ?? this.space}/targets`, { count, seed });
+      const { targets } = await api.post<Schemas["TargetList"]>(`/api/v1/spaces/${await newestOf(this.space)}/targets`, { count, seed });
       const detail = targets.map(({ values }, index) => {
         const name = `${this.word} ${index + 1}`;
         return { made: { space: this.space, values }, name, label: name };

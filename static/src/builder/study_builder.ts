@@ -16,9 +16,11 @@ import {
 } from "./model";
 import { partsList, problemLinks, selectedBy, type Selected } from "./parts_list";
 import { Saving } from "./saving";
+import type { StimulusDialog } from "./stimulus_dialog";
 import { missingIn } from "./texts";
 import "../studio/picker";
 import "./preview";
+import "./stimulus_dialog";
 
 type View = "parts" | "form" | "preview";
 
@@ -221,6 +223,7 @@ export class StudyBuilder extends LitElement {
   private get editing(): Editing {
     return {
       study: this.draft, language: this.language, problems: this.problems, clips: this.clips, allClips: this.allClips,
+      editable: this.editable, look: (path) => this.querySelector<StimulusDialog>("stimulus-dialog")?.show(path),
       set: this.set, pick: this.pick, showAllClips: () => (this.allClips = true),
     };
   }
@@ -239,6 +242,7 @@ export class StudyBuilder extends LitElement {
       ${addDialog((kind, task) => this.add(kind, task))}
       ${publishDialog({ ...this.publishing, state: study.state, slug: study.slug, mend: this.mend(), publish: () => void this.publish() })}
       ${versionsDialog(study, this.isDraft, editable && study.versions.length ? () => void this.discard() : null)}
+      <stimulus-dialog .editing=${this.editing}></stimulus-dialog>
       <clip-picker .clips=${this.clips as Clip[]} ?several=${this.several} @pick=${(event: CustomEvent<string | string[]>) => this.picked([event.detail].flat())}></clip-picker>`;
   }
 

@@ -135,7 +135,7 @@ export class StudySettings extends LitElement {
 
   private get editing(): Editing {
     return {
-      study: this.running, language: "en", problems: this.problems, clips: [], allClips: false,
+      study: this.running, language: "en", problems: this.problems, clips: [], allClips: false, editable: true, look: () => {},
       set: (path: Path, value: Json | undefined) => (this.running = put(this.running, path, value)),
       pick: () => {}, showAllClips: () => {},
     };

@@ -49,6 +49,7 @@ export class UseInStudy extends LitElement {
     await this.updateComplete;
     this.dialog?.showModal();
     await this.attempt(() => this.load());
+    this.querySelector<HTMLElement>(".use-dialog .kinds button, .use-dialog select")?.focus();
   }
 
   private async load(): Promise<void> {
