@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from app.errors import MannerError
+from app.errors import InvalidError, MannerError
 from app.persistence.engine import Database
 from app.persistence.writer import Writer
-from app.schemas.study import CommentPage, Form, StudyDefinition, Trials
+from app.schemas.study import CommentPage, Form, Match, StudyDefinition, Trials
 from app.services import simulation
 from app.services.command_line_simulation import Plan, Tell
 from app.services.plans import PAUSE, Step
@@ -113,8 +113,10 @@ def run(
     """So many participants, in so many browsers at once.
 
     Raises:
+        InvalidError: the study has targets to match.
         MannerError: Playwright or Chromium is missing, or no server answers at the address.
     """
+    _refuse_matching(plan.definition)
     raters = simulation.raters(plan.tastes, plan.effects, participants, generator)
     shares = [raters[start::browsers] for start in range(min(browsers, participants))]
     done: list[Course] = []
@@ -133,6 +135,16 @@ def run(
     finally:
         writer.close()
     return done
+
+
+def _refuse_matching(definition: StudyDefinition) -> None:
+    for part in definition.trials:
+        if isinstance(part.task, Match):
+            raise InvalidError(
+                f"In “{part.id}” targets are matched, which simulated browsers cannot do.",
+                code="cannot_simulate",
+                mend="Simulate without --browsers.",
+            )
 
 
 def _share(

@@ -65,14 +65,13 @@ def read_effects(text: str, name: str = "") -> tuple[Effects, StudyText]:
 def tastes(
     definition: StudyDefinition, effects: Effects, read: StudyText | None = None, name: str = ""
 ) -> list[Taste]:
-    """What is felt about the clips of each part.
+    """What is felt about the clips of each part; about targets, which are matched, nothing.
 
     Raises:
-        InvalidError: the effects name a value or a clip that the study has not, or the study asks
-            for more than feelings.
+        InvalidError: the effects name a value or a clip that the study has not.
     """
-    _refuse_matching(definition)
-    found = [_taste(part, effects) for part in definition.trials]
+    judged = [part for part in definition.trials if not isinstance(part.task, Match)]
+    found = [_taste(part, effects) for part in judged]
     values = {key for one in found for measure in one.measures for key in _names(measure)}
     for value, clips in effects.effects.items():
         path = ("effects", value)
@@ -90,16 +89,6 @@ def tastes(
                 message = f"no clip, style or body is called “{clip}”"
                 raise _unknown(name, read, (*path, clip), message, known)
     return found
-
-
-def _refuse_matching(definition: StudyDefinition) -> None:
-    for part in definition.trials:
-        if isinstance(part.task, Match):
-            raise InvalidError(
-                f"In “{part.id}” targets are matched by hand, which simulated raters cannot do.",
-                code="cannot_simulate",
-                mend="Take the part out of a copy of the study to simulate the rest.",
-            )
 
 
 def _taste(part: Trials, effects: Effects) -> Taste:

@@ -19,7 +19,7 @@ from sqlalchemy.orm import Session
 from app.persistence.models import now
 from app.persistence.responses import Counted
 from app.schemas.effects import Effects
-from app.schemas.sessions import Answer, ViewingRecord, Viewport
+from app.schemas.sessions import Answer, Move, ViewingRecord, Viewport
 from app.schemas.study import (
     ABX,
     Catch,
@@ -32,7 +32,7 @@ from app.schemas.study import (
     StudyDefinition,
     Trials,
 )
-from app.services import answers, sessions
+from app.services import answers, matching, sessions, simulated_matching
 from app.services.effects import SLIDER_STEP, Taste, choosing
 from app.services.plans import PAUSE, Step, planned_steps
 from app.services.studies import definition_of, find, newest
@@ -213,10 +213,9 @@ def take_part(db: Session, slug: str, rater: Rater, stop_after: float = 1.0) -> 
     elapsed = 0.0
     counted: list[tuple[str, Counted]] = []
     for index, step in enumerate(begun.steps[: int(stop_after * len(begun.steps))]):
-        taken = float(rater.generator.lognormal(np.log(6000), 0.4))
+        given, taken, path = _given(db, begun.definition, step, rater)
         elapsed += taken
-        given = rater.answer(begun.definition, step)
-        answer = _answer(index, given, taken, elapsed, rater.generator)
+        answer = _answer(index, given, taken, elapsed, path, rater.generator)
         receipt, _ = answers.record(db, begun.token, answer)
         counted += begun.counted(step, given)
         if receipt.state != "active":
@@ -225,6 +224,18 @@ def take_part(db: Session, slug: str, rater: Rater, stop_after: float = 1.0) -> 
         return Course(begun.token, False, [])
     sessions.complete(db, begun.token)
     return Course(begun.token, True, counted)
+
+
+def _given(
+    db: Session, definition: StudyDefinition, step: Step, rater: Rater
+) -> tuple[dict[str, Any], float, list[Move] | None]:
+    """The answer to a step, the milliseconds that it took and, of a match, the sliders' way."""
+    task = matching.task_of(definition, step)
+    if task is not None:
+        hand = simulated_matching.taken(db, task, step, rater.generator)
+        return {**hand.at, matching.SECONDS: hand.seconds}, 1000 * hand.seconds, hand.path
+    taken = float(rater.generator.lognormal(np.log(6000), 0.4))
+    return rater.answer(definition, step), taken, None
 
 
 def figures(step: Step) -> list[str]:
@@ -264,19 +275,20 @@ def _answer(
     given: dict[str, Any],
     taken: float,
     elapsed: float,
+    path: list[Move] | None,
     generator: np.random.Generator,
 ) -> Answer:
     return Answer(
         trial_index=index,
         revision=1,
         answers=given,
-        touched=list(given),
+        touched=list(given if path is None else dict.fromkeys(name for _, name, _ in path)),
         rt_ms=round(taken, 1),
         time_elapsed_ms=round(elapsed, 1),
         client_time=now(),
         record=ViewingRecord(
             plays=int(generator.integers(1, 4)), viewing_ms=round(0.9 * taken, 1), camera_moves=0,
             hidden_ms=0, blur_count=0, dropped_frames=0, tier=TEXT,
-            viewport=Viewport(width=1280, height=800, pixel_ratio=1),
+            viewport=Viewport(width=1280, height=800, pixel_ratio=1), path=path,
         ),
     )  # fmt: skip

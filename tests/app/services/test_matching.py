@@ -12,13 +12,11 @@ import numpy as np
 import pytest
 from sqlalchemy import select
 
-from app.errors import InvalidError
 from app.persistence.clips import contents
 from app.persistence.engine import Database
 from app.persistence.models import ClipRecord, Response, SpaceRecord
 from app.schemas.spaces import SpaceDefinition
-from app.schemas.study import StudyDefinition
-from app.services import effects, sessions, space_motion
+from app.services import sessions, space_motion
 from app.services.sessions import Beginning
 from app.services.space_points import Recent
 from motion.blending.distance import matching_distance
@@ -357,40 +355,3 @@ def test_the_tables_tell_every_interface_apart_and_every_move(
     (path,) = (content for name, content in files.items() if "_description-moves_" in name)
     assert list(csv.DictReader(io.StringIO(path.decode()))) == moves
     assert len(data_files(files)) == 2
-
-
-def test_simulated_raters_say_that_they_cannot_match() -> None:
-    study = StudyDefinition.model_validate(
-        study_of({"name": "Walks", "clips": [{"clip": f"{n:064x}"} for n in range(3)]})
-    )
-    with pytest.raises(InvalidError, match="matched by hand"):
-        effects.tastes(study, effects.Effects())
-
-
-def test_no_connection_is_held_while_a_motion_is_computed(
-    signed_in: Researching,
-    space: dict[str, Any],
-    database: Database,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    study = study_of(space, guess_first=False)
-    token = begun(database, published(signed_in, study), study)
-    held: list[int] = []
-    blend = space_motion.Prepared.clip
-
-    def computed(ready: space_motion.Prepared, weights: Any) -> Any:
-        held.append(database.engine.pool.checkedout())
-        return blend(ready, weights)
-
-    monkeypatch.setattr(space_motion.Prepared, "clip", computed)
-    moved = {"values": {"e0": 0.7, "e1": 0.3, "e2": 0.0}}
-    by_weights = {"interface": "weights", "values": {space["clips"][0]["clip"]: 1.0}}
-    slug = study["slug"]
-    for address, body in (
-        (f"/api/v1/sessions/{token}/steps/0/motion", moved),
-        (f"/api/v1/studies/{slug}/preview/steps/0/motion", moved),
-        (f"/api/v1/spaces/{space['id']}/motion", by_weights),
-    ):
-        answer = signed_in.post(address, json=body)
-        assert answer.status_code == 200, answer.text
-    assert held == [0, 0, 0]

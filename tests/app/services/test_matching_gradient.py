@@ -2,57 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from sqlalchemy import select
 
+from app.errors import InvalidError
 from app.persistence.clips import contents
 from app.persistence.engine import Database
 from app.persistence.models import Response
-from app.schemas.spaces import TargetRequest
-from app.services import matching, samples, sessions, space_samples, space_targets, spaces
-from app.services.sessions import Beginning
+from app.schemas.spaces import START, TargetRequest
+from app.services import (
+    browser_simulation,
+    samples,
+    simulation,
+    space_samples,
+    space_targets,
+    spaces,
+)
+from app.services.command_line_simulation import Plan, planned
+from app.services.simulated_matching import Hand, follow
 from app.studies.matching import THRESHOLD
 from motion.procedural.library import set_a, set_b
 from tests.app.conftest import Researching
-from tests.app.services.test_matching import answer, published, study_of
+from tests.app.services.test_matching import published, study_of
 
 SETS = {"set_a": set_a, "set_b": set_b}
 INTERFACES = ("adjectives", "features", "weights")
 TARGETS = 2
 SEED = 1
-# Requests that a person who only feels their way needs at most; 27 weights are many.
-MOST = {"adjectives": 80, "features": 80, "weights": 250}
-FIRST_STEP, LAST_STEP = 0.25, 0.01
-
-Sliders = NDArray[np.float64]
-
-
-def followed(distance: Callable[[Sliders], float], start: Sliders) -> tuple[Sliders, int]:
-    """Move one slider after the other whichever way is nearer, in ever smaller steps.
-
-    Returns:
-        Where it matched, or where no step helped any more, and how often the motion was made.
-    """
-    at, step = start, FIRST_STEP
-    nearest, moves = distance(at), 1
-    while nearest >= THRESHOLD and step >= LAST_STEP:
-        before = nearest
-        for way in (
-            step * np.repeat(np.eye(len(at)), 2, axis=0) * np.tile([[1], [-1]], (len(at), 1))
-        ):
-            there = np.clip(at + way, 0, 1).round(3)
-            found, moves = distance(there), moves + 1
-            if found < nearest:
-                at, nearest = there, found
-            if nearest < THRESHOLD:
-                return at, moves
-        if nearest == before:
-            step /= 2
-    return at, moves
+# Moves that a person who only feels their way needs at most; 27 weights are many.
+MOST = {"adjectives": 160, "features": 160, "weights": 500}
 
 
 def drawn(database: Database, motion_set: str) -> tuple[dict, list[dict]]:
@@ -61,7 +40,7 @@ def drawn(database: Database, motion_set: str) -> tuple[dict, list[dict]]:
     space_samples.make(database)
     name = spaces.SAMPLES[motion_set]
     with database.reading() as db:
-        line = next(one for one in spaces.listed(db).spaces if one.name == name)
+        line = next(one for one in spaces.listed(db, 0).spaces if one.name == name)
         definition = spaces.definition(db, line.id)
         found = space_targets.draw(
             definition,
@@ -74,34 +53,55 @@ def drawn(database: Database, motion_set: str) -> tuple[dict, list[dict]]:
     return space, made
 
 
+def simulated(database: Database, plan: Plan) -> list[Response]:
+    (rater,) = simulation.raters(plan.tastes, plan.effects, 1, np.random.default_rng(SEED))
+    with database.writing() as db:
+        assert simulation.take_part(db, plan.slug, rater).complete
+        db.commit()
+        return list(db.scalars(select(Response).order_by(Response.received_at.desc())))
+
+
 @pytest.mark.parametrize("motion_set", list(SETS))
 def test_who_follows_the_distance_downhill_finishes_with_every_interface(
     signed_in: Researching, database: Database, motion_set: str
 ) -> None:
     space, targets = drawn(database, motion_set)
-    study = study_of(space, interfaces=INTERFACES, guess_first=False, threshold=THRESHOLD)
+    study = study_of(space, interfaces=INTERFACES, threshold=THRESHOLD, seconds=3600)
     study["parts"][0]["stimuli"] = targets
-    slug = published(signed_in, study)
-    with database.writing() as db:
-        token = sessions.begin(db, slug, Beginning(consent_version=study["consent"]["version"]))
-        db.commit()
-    view = signed_in.get(f"/api/v1/sessions/{token}").json()
-    told = view["parts"]["matching"]
-    assert len(view["steps"]) == TARGETS * len(INTERFACES)
-    for index, step in enumerate(view["steps"]):
-        names = [one["id"] for one in told["sliders"][step["interface"]]]
+    plan = planned(database, published(signed_in, study), None)
+    answers = simulated(database, plan)
+    assert len(answers) == 2 * TARGETS * len(INTERFACES)
+    for row in answers:
+        given, path = row.answers, row.record["path"]
+        at = {name: position for _, name, position in path}
+        assert {name: given[name] for name in at} == at
+        assert [ms for ms, _, _ in path] == sorted(ms for ms, _, _ in path)
+        if given["seen"]:
+            assert (given["solved"], given["distance"] < THRESHOLD) == (1, True)
+            assert len(path) <= MOST[given["interface"]], given["interface"]
+            assert row.record["path"][-1][0] == pytest.approx(1000 * given["seconds"], abs=1)
+    with pytest.raises(InvalidError, match="targets are matched"):
+        browser_simulation.run(
+            database, plan, 1, 1, "http://127.0.0.1", np.random.default_rng(), lambda _: None
+        )
 
-        def distance(sliders: Sliders, index: int = index, names: list[str] = names) -> float:
-            given = dict(zip(names, sliders.tolist(), strict=True))
-            with database.reading() as db:
-                return matching.motion(db, token, index, given).distance
 
-        at, moves = followed(distance, np.full(len(names), told["start"]))
-        assert moves <= MOST[step["interface"]], step["interface"]
-        sent = answer(index, dict(zip(names, at.tolist(), strict=True)), 60.0)
-        stored = signed_in.post(f"/api/v1/sessions/{token}/responses", json=sent)
-        assert stored.status_code == 201, stored.text
-    with database.reading() as db:
-        answers = [row.answers for row in db.scalars(select(Response))]
-    assert len(answers) == len(view["steps"])
-    assert all(one["solved"] == 1 and one["distance"] < THRESHOLD for one in answers)
+@pytest.mark.parametrize(
+    ("threshold", "limit"), [(0.1, 60.0), (0.0, 60.0), (0.0, np.inf)], ids=["met", "late", "stuck"]
+)
+def test_a_made_up_hand_stops_where_it_matches_or_when_the_time_is_up(
+    threshold: float, limit: float
+) -> None:
+    target = {"a": 0.9, "b": 0.15}
+    hand = Hand(dict.fromkeys(target, START), limit, np.random.default_rng(SEED))
+
+    def distance(at: dict[str, float]) -> float:
+        return 0.01 + sum(abs(at[name] - there) for name, there in target.items())
+
+    follow(hand, distance, threshold)
+    if threshold:
+        assert distance(hand.at) < threshold
+        assert hand.seconds < limit
+    else:
+        assert hand.seconds == limit
+    assert all(ms <= 1000 * hand.seconds for ms, _, _ in hand.path)
