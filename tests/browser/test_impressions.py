@@ -166,6 +166,8 @@ def test_a_name_and_a_pair_moved_by_hand_are_still_there_after_a_reload(
     members = second.locator("li").count()
     pair.get_by_role("combobox", name=f"Move {words} to").select_option(index=1)
     expect(second.locator("li")).to_have_count(members + 1, timeout=LONG)
+    expect(second.get_by_role("button", name=f"Undo moving {words}")).to_be_focused()
+    expect(page.locator("cluster-list [role=status]")).to_contain_text(f"{words} is now in ")
     page.reload()
     expect(name).to_have_value("good order")
     expect(page.locator(".bracket").first).to_have_text("good order")
@@ -202,7 +204,16 @@ def test_participants_are_drawn_anew_another_study_is_set_beside_and_a_space_is_
     page.get_by_role("button", name="Draw participants anew").click()
     expect(page.locator(".curve canvas")).to_be_visible(timeout=2 * LONG)
     expect(page.locator(".stay-bars li")).to_have_count(41)
-    page.get_by_label("Compare with").select_option(SET_B)
+    expect(page.locator(".enough")).to_contain_text("for the whole solution")
+    page.get_by_label("Draws").select_option("10000")
+    page.get_by_role("button", name="Draw participants anew").click()
+    progress = page.get_by_role("progressbar", name="Drawing participants anew")
+    expect(progress).to_have_attribute("max", "47", timeout=LONG)  # pieces of work
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_text("Cancelled.")).to_be_visible(timeout=LONG)
+    job = page.request.get(f"{server.url}/api/v1/jobs").json()["jobs"][0]
+    assert (job["kind"], job["state"]) == ("stability", "cancelled")
+    page.get_by_label("Compare with").select_option("Adjectives for walks, set B")
     expect(page.locator("solution-comparison .sentence")).to_contain_text(
         "adjusted Rand index", timeout=LONG
     )

@@ -101,7 +101,7 @@ export class SolutionStability extends LitElement {
     const { job, problem } = this.watch;
     const computing = this.asking || (job && isOpen(job));
     return html`<header><h2 class="figure-title" id="stable">Would others see the same</h2>
-        <p>Participants are drawn anew, with replacement, and each time the pairs are chosen and grouped again, by the same thresholds and cut.</p></header>
+        <p>Participants are drawn anew, with replacement, and each time the pairs are chosen and grouped again, by the same thresholds and cut. The ${this.data.participants} people here stand for all others.</p></header>
       ${computing ? this.progress(job) : this.form()}
       ${job?.state === "cancelled" ? html`<p class="quiet" role="status">Cancelled.</p>` : nothing}
       ${job?.state === "failed" ? html`<p class="note note-bad" role="alert">The computation broke off. Draw participants anew.</p>` : nothing}
