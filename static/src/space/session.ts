@@ -1,45 +1,34 @@
 // One space being authored in: where one stands, what was before, the motion on the stage, what is saved.
-import { api, type ApiError } from "../api";
+import { api } from "../api";
 import type { Finding } from "../studio/checks";
 import { History } from "../studio/history";
-import { debounced, Latest } from "../studio/latest";
+import { Latest } from "../studio/latest";
 import { freeName } from "../studio/names";
 import { same } from "../studio/recipe";
 import type { Edited } from "../studio/server";
 import * as studio from "../studio/server";
-import { asApiError, type Show } from "../studio/session";
+import { asApiError, Staging, type Show } from "../studio/staging";
 import { findState, keepState, type State } from "./draft";
 import { nameOf, pointOf, start, type Place } from "./model";
 import * as server from "./server";
 
-const AGAIN_AFTER = 2000;
-const CHECK_AFTER = 500;
-
-export class SpaceSession {
+export class SpaceSession extends Staging<Place, State> {
   readonly history: History<State>;
   name = "";
   saved: { id: string; name: string; place: Place } | null = null;
   /** Of the motion on the stage: the examples' weights, in their order, and how far outside of them it is. */
   weights: readonly number[];
   outside = 0;
-  problem: ApiError | null = null;
-  /** The moment of the event that asks for the next motion; 0 where none is measured. */
-  askedAt = 0;
   /** The example that is looked at instead of the mix. */
   looking: number | null = null;
-  private shown: Place | null = null;
   private isReady = false;
-  private readonly shows = new Latest<Place>((place) => this.show(place));
   private readonly looks = new Latest<number>((index) => this.showExample(index));
-  private readonly checks = new Latest<Place>((place) => this.check(place));
-  private readonly checkSoon: (place: Place) => void = debounced(
-    (place) => (this.history.isHeld ? this.checkSoon(place) : this.checks.ask(place)), CHECK_AFTER,
-  );
   private checked: { place: Place; findings: Finding[] } | null = null;
   private readonly files = new Map<string, ArrayBuffer>();
 
   /** `from`: where to begin; without it where one stood last, or in the middle. */
-  constructor(readonly space: server.Space, private readonly stage: Show, private readonly changed: () => void, from?: Place) {
+  constructor(readonly space: server.Space, private readonly stage: Show, changed: () => void, from?: Place) {
+    super(changed);
     const state = from ? { place: from, keytimes: {} } : (findState(space) ?? { place: start(space), keytimes: {} });
     this.history = new History<State>(state);
     this.weights = Object.values(state.place.weights);
@@ -49,9 +38,8 @@ export class SpaceSession {
     return this.history.present.place;
   }
 
-  /** The stage shows the place as it stands. */
-  get isShown(): boolean {
-    return this.shown === this.place;
+  protected override get wish(): Place {
+    return this.place;
   }
 
   get isSaved(): boolean {
@@ -75,23 +63,9 @@ export class SpaceSession {
     this.refresh();
   }
 
-  undo(): void {
-    this.history.undo();
-    this.refresh();
-  }
-
-  redo(): void {
-    this.history.redo();
-    this.refresh();
-  }
-
   call(name: string): void {
     this.name = name;
     this.changed();
-  }
-
-  retry(): void {
-    if (this.problem) this.refresh();
   }
 
   /** An example's events: as they were moved, or as the space has them. */
@@ -153,33 +127,23 @@ export class SpaceSession {
     return named.id;
   }
 
-  private refresh(again = false): void {
+  protected override refresh(again = false): void {
     keepState(this.space.id, this.history.present);
     if (this.place.by === "weights") this.weights = Object.values(this.place.weights);
     if (this.isReady && (again || !this.isShown)) this.shows.ask(this.place);
     this.changed();
   }
 
-  private async show(place: Place): Promise<void> {
-    const { askedAt } = this;
-    this.askedAt = 0;
-    try {
-      const { glb, weights, outside } = await server.motion(this.space.id, pointOf(place));
-      if (this.looking === null) this.stage(glb, askedAt);
-      if (this.place.by !== "weights") this.weights = weights;
-      this.outside = outside;
-      this.shown = place;
-      this.problem = null;
-      this.checkSoon(place);
-    } catch (error) {
-      this.problem = asApiError(error);
-      if (this.problem.transient) setTimeout(() => this.retry(), AGAIN_AFTER);
-    }
-    this.changed();
+  protected override async put(place: Place, askedAt: number): Promise<void> {
+    const { glb, weights, outside } = await server.motion(this.space.id, pointOf(place));
+    if (this.looking === null) this.stage(glb, askedAt);
+    if (this.place.by !== "weights") this.weights = weights;
+    this.outside = outside;
+    this.checkSoon(place);
   }
 
   /** Of a mix that is gone already, or that could not be checked, nothing is said. */
-  private async check(place: Place): Promise<void> {
+  protected override async check(place: Place): Promise<void> {
     if (place !== this.place) return;
     try {
       const { report } = await studio.check(await this.recipe());

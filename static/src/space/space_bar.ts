@@ -1,10 +1,8 @@
 // The bar on top: which space, what the motion is called, undo and redo, export, save.
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
-import { brand } from "../studio/top_bar";
+import { brand, type Drawer } from "../studio/top_bar";
 import type { SpaceSession } from "./session";
-
-export type Drawer = "movement" | "results";
 
 export interface BarActs {
   undo(): void;
@@ -39,5 +37,5 @@ function title(session: SpaceSession): TemplateResult {
   return html`<div class="studio-title"><h1 class="visually-hidden">Authoring space: ${space.name}</h1>
     <input class="title" aria-label="Name of the motion" maxlength="200" placeholder=${suggestedName} .value=${name} @input=${call}>
     <p class="tiny">in ${space.name}, version ${space.number} · <span role="status">${isSaved ? "saved" : "not saved"}</span>
-      ${isSaved ? html`· <a href="/studio?clip=${saved!.id}">Open in the studio</a>` : nothing}</p></div>`;
+      ${isSaved ? html`· <a href="/studio?clip=${saved!.id}&space=${space.id}">Open in the studio</a>` : nothing}</p></div>`;
 }

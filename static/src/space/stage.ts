@@ -15,7 +15,7 @@ export interface StageActs {
 }
 
 export function stage(session: SpaceSession | null, failure: ApiError | null, acts: StageActs): TemplateResult {
-  return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session ? !session.isShown && !session.problem : !failure}>
+  return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session ? session.isBusy : !failure}>
     ${session ? figure(session.space, acts) : nothing}
     ${session && session.looking !== null ? looked(session, session.looking, acts) : nothing}
     <div class="stage-notes">${notes(session, failure, acts)}</div></section>`;

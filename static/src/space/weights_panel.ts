@@ -30,7 +30,7 @@ export function weightsPanel(session: SpaceSession, state: WeightState, acts: We
 
 function blend(session: SpaceSession, acts: WeightActs): TemplateResult {
   const { examples } = session.space.definition;
-  return html`<section class="blend" aria-labelledby="blend-title"><header><h2 id="blend-title">Mix</h2><span class="tiny">together 100 %</span></header>
+  return html`<section class="blend" aria-labelledby="blend-title"><header><h2 id="blend-title">Mix</h2><span class="tiny">${examples.length} examples, together 100 %</span></header>
     <ul class="weights" tabindex="-1">${repeat(examples, ({ clip }) => clip, ({ clip, name, predicted }, index) =>
       row({ clip, name, predicted: Boolean(predicted), index, weight: session.weights[index] ?? 0, looked: session.looking === index }, acts))}</ul></section>`;
 }
@@ -59,7 +59,7 @@ function facts({ outside, space, place }: SpaceSession, told: string, { join }: 
   const notes = (space.notes as Record<string, string[] | undefined>)[place.by] ?? [];
   return html`<section class="space-facts">
     <p class="outside" role="status">${outside > NONE
-      ? html`${icon("info")}<span><b>${outside.toFixed(2)} outside</b> what the examples span. The figure stays a mix of them.</span>`
+      ? html`${icon("info")}<span><b>Outside what the examples span</b>, by ${Math.round(100 * outside)} % of a slider’s length. The figure stays a mix of them.</span>`
       : nothing}</p>
     ${notes.map((words) => html`<p class="tiny">${words}</p>`)}
     <button class="link-button" type="button" @click=${join}>${icon("plus")}Add a clip to the space</button>

@@ -1,19 +1,19 @@
 // <motion-studio>: edits how a motion feels. Left how it moves, right what came of it, below when.
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { ApiError } from "../api";
-import type { MotionViewer } from "../viewer";
 import { easedWords } from "./checks";
 import { CompareKey } from "./compare_key";
 import { dropDraft } from "./draft";
+import { mixOf, type Mix } from "./mix";
 import { movementPanel, type NamedPose, type Offers } from "./movement_panel";
 import type { ClipPicker } from "./picker";
-import { RETARGET, type Steps } from "./recipe";
+import { isOrigin, type Steps } from "./recipe";
 import { resultPanel, type ResultActs } from "./result_panel";
 import * as server from "./server";
-import { asApiError, Session } from "./session";
+import { Session } from "./session";
 import { stage, type StageState } from "./stage_view";
-import { topBar, type Drawer, type TopActs } from "./top_bar";
+import { topBar, type TopActs } from "./top_bar";
+import { Workbench } from "./workbench";
 import "./picker";
 import "./time_strip";
 
@@ -22,48 +22,26 @@ const ORIGINAL = 1;
 const NO_CONTACTS = { left: [], right: [] };
 
 @customElement("motion-studio")
-export class MotionStudio extends LitElement {
+export class MotionStudio extends Workbench<Session> {
   @property({ attribute: "clip" }) wanted = "";
-  @state() private session: Session | null = null;
   @state() private offers: Omit<Offers, "clips"> = { presets: [], operations: [], poses: [] };
   @state() private clips: server.Clip[] = [];
-  @state() private failure: ApiError | null = null;
   @state() private original = false;
   @state() private arrangement: StageState["arrangement"] = "ghost";
-  @state() private drawer: Drawer | null = null;
-  @state() private busy = false;
-  @state() private said = "";
   @state() private eased: { steps: Steps; words: string } | null = null;
-  @query("motion-viewer") private viewer!: MotionViewer | null;
   @query("clip-picker") private picker!: ClipPicker;
-  /** The viewer of the clip on the stage, once it is ready. */
-  @state() private stageViewer: MotionViewer | null = null;
-  private shownAt = 0;
+  private mix: Mix | null = null;
   private readonly compareKey = new CompareKey(() => this.original, (original) => this.compare(original));
-  private readonly online = () => {
-    if (this.failure?.transient) this.failure = null;
-    this.session?.retry();
-  };
-  private readonly keyDown = (event: KeyboardEvent) => this.onKey(event);
   private readonly keyUp = (event: KeyboardEvent) => event.key.toLowerCase() === "c" && this.compareKey.up(event);
-
-  protected override createRenderRoot(): HTMLElement {
-    this.replaceChildren();
-    return this;
-  }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener("online", this.online);
-    addEventListener("keydown", this.keyDown);
     addEventListener("keyup", this.keyUp);
     void this.attempt(() => this.begin());
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    removeEventListener("online", this.online);
-    removeEventListener("keydown", this.keyDown);
     removeEventListener("keyup", this.keyUp);
   }
 
@@ -80,32 +58,27 @@ export class MotionStudio extends LitElement {
     this.clips = clips;
   }
 
-  /** Open a clip: a source as it is, an edited one as the recipe that made it. On another body it is a source. */
+  /** Open a clip: one to begin from as it is, an edited one as the recipe that made it. */
   private async open(id: string): Promise<void> {
-    const opened = await server.clipOf(id);
-    if (opened.provenance?.recipe.some(({ operation }) => operation === RETARGET)) opened.provenance = null;
-    const source = opened.provenance ? await server.clipOf(opened.provenance.source) : opened;
+    const found = await server.clipOf(id);
+    const opened = isOrigin(server.stepsOf(found.provenance?.recipe ?? [])) ? { ...found, provenance: null } : found;
+    const source = opened.provenance ? await server.clipOf(opened.provenance.source) : found;
+    const space = this.session ? this.mix?.space?.id : new URLSearchParams(location.search).get("space");
+    this.mix = await mixOf(source, space ?? null);
     const sameStage = this.session?.source.id === source.id;
     this.session = new Session(source, opened, (glb, at) => this.put(glb, at), () => this.requestUpdate());
     this.wanted = id;
     if (sameStage) this.session.begin(false);
     this.compare(false);
     this.said = "";
-    history.replaceState(null, "", `?clip=${id}`);
+    this.standAt(id);
     document.title = `${opened.name} · Studio · Manner`;
   }
 
-  /** Give the edited figure another motion. */
-  private put(glb: ArrayBuffer, askedAt: number): void {
-    this.viewer?.setMotion(EDITED, glb);
-    this.shownAt = askedAt;
-    if (askedAt) performance.measure("manner:applied", { start: askedAt });
-  }
-
-  /** The motion of the last change is on the screen. */
-  private onMotion(): void {
-    if (this.shownAt) performance.measure("manner:change", { start: this.shownAt });
-    this.shownAt = 0;
+  /** The page's address; that of a mix goes on leading back to its space. */
+  private standAt(clip: string): void {
+    const space = this.mix?.space;
+    history.replaceState(null, "", `?clip=${clip}${space ? `&space=${space.id}` : ""}`);
   }
 
   private onReady(): void {
@@ -127,19 +100,6 @@ export class MotionStudio extends LitElement {
     viewer.setShown(ORIGINAL, original || arrangement !== "one");
   }
 
-  private async attempt<T>(act: () => Promise<T>): Promise<T | undefined> {
-    this.busy = true;
-    try {
-      this.failure = null;
-      return await act();
-    } catch (error) {
-      this.failure = asApiError(error);
-      return undefined;
-    } finally {
-      this.busy = false;
-    }
-  }
-
   private async save(): Promise<string | undefined> {
     const { session } = this;
     if (!session) return undefined;
@@ -147,7 +107,7 @@ export class MotionStudio extends LitElement {
       session.names = this.variants.map(({ name }) => name);
       const id = await session.save();
       this.wanted = id;
-      history.replaceState(null, "", `?clip=${id}`);
+      this.standAt(id);
       this.clips = await server.clips();
       return id;
     });
@@ -155,11 +115,7 @@ export class MotionStudio extends LitElement {
 
   private async download(suffix: string): Promise<void> {
     const id = await this.save();
-    if (!id) return;
-    const link = document.createElement("a");
-    link.href = `/api/v1/clips/${id}.${suffix}`;
-    link.download = "";
-    link.click();
+    if (id) this.take(id, suffix);
   }
 
   private async capture(): Promise<void> {
@@ -193,40 +149,19 @@ export class MotionStudio extends LitElement {
     });
   }
 
-  private onKey(event: KeyboardEvent): void {
-    const { session } = this;
-    const typing = (event.composedPath()[0] as HTMLElement).matches?.("input:not([type=range]), textarea, select");
-    if (!session || typing || this.querySelector("dialog[open]")) return;
-    const key = event.key.toLowerCase();
-    if (event.ctrlKey || event.metaKey) {
-      if (key !== "z" && key !== "y") return;
-      event.preventDefault();
-      if (key === "y" || event.shiftKey) session.redo();
-      else session.undo();
-    } else if (key === "c" && !event.altKey) this.compareKey.down(event);
-    else if (key === "g" && !event.altKey) this.toggleGhost();
-    else if (key === "escape") this.closeDrawer();
+  protected override reconnected(): void {
+    this.failure = null;
   }
 
-  private closeDrawer(): void {
-    this.querySelector<HTMLElement>(".drawer-acts [aria-expanded=true]")?.focus();
-    this.drawer = null;
+  protected override press(key: string, event: KeyboardEvent): void {
+    if (key === "c" && !event.altKey) this.compareKey.down(event);
+    else if (key === "g" && !event.altKey) this.toggleGhost();
+    else if (key === "escape") this.closeDrawer();
   }
 
   private toggleGhost(): void {
     this.arrangement = this.arrangement === "ghost" ? "one" : "ghost";
     this.compare(false);
-  }
-
-  /** A pointer's gesture on any control is one entry of the history; when it happened is measured. */
-  private note(event: Event): void {
-    if (!this.session) return;
-    this.session.askedAt = event.timeStamp;
-    if (event.type === "pointerdown") {
-      this.session.history.hold();
-      addEventListener("pointerup", () => this.session?.history.release(), { once: true });
-      addEventListener("pointercancel", () => this.session?.history.release(), { once: true });
-    }
   }
 
   private get topActs(): TopActs {
@@ -235,12 +170,9 @@ export class MotionStudio extends LitElement {
       undo: () => this.session?.undo(),
       redo: () => this.session?.redo(),
       compare: (original) => this.compare(original),
-      exports: () => {
-        this.drawer = "results";
-        void this.updateComplete.then(() => this.querySelector<HTMLElement>("#export")?.focus());
-      },
+      exports: () => this.showExports(),
       save: () => void this.save(),
-      drawer: (name) => (this.drawer = this.drawer === name ? null : name),
+      drawer: (name) => this.toggle(name),
     };
   }
 
@@ -281,13 +213,10 @@ export class MotionStudio extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const { session, drawer, original, busy, arrangement, failure } = this;
-    const note = (event: Event) => this.note(event);
-    return html`${topBar(session, { original, busy, drawer }, this.topActs)}
+    const { session, drawer, original, busy, arrangement, failure, noted } = this;
+    return html`${topBar(session, { original, busy, drawer, mix: this.mix }, this.topActs)}
       <div class="studio ${drawer ? `with-${drawer}` : ""}">
-        <aside class="side movement" aria-label="How it moves" @pointerdown=${{ handleEvent: note, capture: true }}
-          @pointermove=${{ handleEvent: note, capture: true }} @keydown=${{ handleEvent: note, capture: true }}
-          @input=${{ handleEvent: note, capture: true }}>
+        <aside class="side movement" aria-label="How it moves" @pointerdown=${noted} @pointermove=${noted} @keydown=${noted} @input=${noted}>
           ${session ? movementPanel(session, { ...this.offers, clips: this.clips }, { capture: () => void this.capture(), forget: (pose) => this.forget(pose) }) : nothing}</aside>
         ${stage(session, { original, arrangement, failure }, {
           ready: () => this.onReady(),

@@ -28,6 +28,8 @@ export const POSTURE = "posture@1";
 export const BANDS = "bands@1";
 /** Puts the motion onto another body, on which the stage's figure cannot stand. */
 export const RETARGET = "retarget@1";
+/** Mixes the motions of an authoring space. */
+export const BLEND = "blend@1";
 export const NEUTRAL_POINT: GridPoint = { path: 1, timing: 1 };
 
 /** What a recipe without such a step is given where it belongs: first what moves, then when, then feet. */
@@ -113,6 +115,15 @@ export function withBands(steps: Steps, bands: readonly Band[]): Steps {
   if (bands.every(({ gain }) => gain === 1)) return put(steps, BANDS, null);
   return put(steps, BANDS, { gains: bands.map(({ frequency, gain }) => ({ frequency, gain })) });
 }
+
+/** The clips that a mix is made of; null for a motion that is none. */
+export function mixedOf(steps: Steps): string[] | null {
+  const mix = find(steps, BLEND);
+  return mix ? listOf(mix.parameters.examples).map(({ clip }) => String(clip)) : null;
+}
+
+/** What is edited on from: on another body, or out of several motions, it is no variant of the one that it began with. */
+export const isOrigin = (steps: Steps): boolean => steps.some(({ operation }) => operation === RETARGET || operation === BLEND);
 
 /** Steps without a control of their own, each with its place: a second grid among them. */
 export function extrasOf(steps: Steps): { step: Step; place: number }[] {

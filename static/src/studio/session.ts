@@ -2,10 +2,10 @@
 import { ApiError, api } from "../api";
 import { dropDraft, findDraft, keepDraft } from "./draft";
 import { History } from "./history";
-import { debounced, Latest } from "./latest";
 import { freeName } from "./names";
 import { same, textOf, withGrid, type Steps } from "./recipe";
 import * as server from "./server";
+import { AGAIN_AFTER, Staging, type Show } from "./staging";
 
 export interface Edit {
   steps: Steps;
@@ -13,15 +13,10 @@ export interface Edit {
   preset: string | null;
 }
 
-/** Puts a motion on the stage. */
-export type Show = (glb: ArrayBuffer, askedAt: number) => void;
-
-const CHECK_AFTER = 300;
-const AGAIN_AFTER = 2000;
 /** Motions kept, so that undo and redo need no server. */
 const KEPT = 12;
 
-export class Session {
+export class Session extends Staging<Edit> {
   readonly history: History<Edit>;
   name: string;
   /** What the variants of this clip are called. */
@@ -30,28 +25,16 @@ export class Session {
   checked: server.Checked | null = null;
   /** The checks are those of an earlier recipe. */
   checking = false;
-  /** Why the stage does not show the recipe. */
-  problem: ApiError | null = null;
-  /** What the stage shows. */
-  private shown: Edit | null = null;
   /** A draft of an earlier visit is what is shown. */
   fromDraft = false;
-  /** The moment of the event that asks for the next motion; 0 where none is measured. */
-  askedAt = 0;
   private readonly motions = new Map<string, Promise<ArrayBuffer>>();
-  private readonly shows = new Latest<Edit>((edit) => this.show(edit));
-  private readonly checks = new Latest<Edit>((edit) => this.check(edit));
-  /** Not during a drag: its motions are made by the process that would check. */
-  private readonly checkSoon: (edit: Edit) => void = debounced(
-    (edit) => (this.history.isHeld ? this.checkSoon(edit) : this.checks.ask(edit)), CHECK_AFTER,
-  );
-
   constructor(
     readonly source: server.Clip,
     opened: server.ClipDetail,
     private readonly stage: Show,
-    private readonly changed: () => void,
+    changed: () => void,
   ) {
+    super(changed);
     const steps = server.stepsOf(opened.provenance?.recipe ?? []);
     this.saved = { id: opened.id, name: opened.name, steps };
     this.name = steps.length ? opened.name : "";
@@ -78,9 +61,8 @@ export class Session {
     return this.steps.length ? `${this.source.name} ${this.preset?.replaceAll("_", " ") ?? "edited"}` : this.source.name;
   }
 
-  /** The stage shows the recipe as it stands. */
-  get isShown(): boolean {
-    return this.shown === this.history.present;
+  protected override get wish(): Edit {
+    return this.history.present;
   }
 
   get isSaved(): boolean {
@@ -101,16 +83,6 @@ export class Session {
 
   change(steps: Steps, control: string, preset = this.preset): void {
     this.history.set({ steps, preset }, control);
-    this.refresh();
-  }
-
-  undo(): void {
-    this.history.undo();
-    this.refresh();
-  }
-
-  redo(): void {
-    this.history.redo();
     this.refresh();
   }
 
@@ -157,12 +129,7 @@ export class Session {
     return typeof step === "number" ? step - 1 : null;
   }
 
-  /** Ask again for what is not there yet. */
-  retry(): void {
-    if (this.problem) this.refresh();
-  }
-
-  private refresh(): void {
+  protected override refresh(): void {
     const { present } = this.history;
     this.keep();
     this.shows.ask(present);
@@ -176,19 +143,8 @@ export class Session {
     else keepDraft(this.saved.id, { ...this.history.present, name: this.name });
   }
 
-  private async show(edit: Edit): Promise<void> {
-    const { askedAt } = this;
-    this.askedAt = 0;
-    try {
-      const glb = await this.motionOf(edit.steps);
-      this.stage(glb, askedAt);
-      this.shown = edit;
-      this.problem = null;
-    } catch (error) {
-      this.problem = asApiError(error);
-      if (this.problem.transient) setTimeout(() => this.retry(), AGAIN_AFTER);
-    }
-    this.changed();
+  protected override async put({ steps }: Edit, askedAt: number): Promise<void> {
+    this.stage(await this.motionOf(steps), askedAt);
   }
 
   private motionOf(steps: Steps): Promise<ArrayBuffer> {
@@ -207,7 +163,7 @@ export class Session {
     setTimeout(() => edit === this.history.present && this.checks.ask(edit), AGAIN_AFTER);
   }
 
-  private async check(edit: Edit): Promise<void> {
+  protected override async check(edit: Edit): Promise<void> {
     try {
       const checked = await server.check({ source: this.source.id, operations: edit.steps });
       if (edit !== this.history.present) return;
@@ -223,8 +179,4 @@ export class Session {
   }
 }
 
-export function asApiError(error: unknown): ApiError {
-  if (error instanceof ApiError) return error;
-  const message = error instanceof Error ? error.message : String(error);
-  return new ApiError("not_shown", message, null, "Undo the last change.", 500);
-}
+export { asApiError } from "./staging";

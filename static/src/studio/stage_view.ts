@@ -22,7 +22,7 @@ export interface StageActs {
 }
 
 export function stage(session: Session | null, state: StageState, acts: StageActs): TemplateResult {
-  return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session !== null && !session.isShown}>
+  return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session !== null && session.isBusy}>
     ${session ? figures(session, acts) : empty(state, acts)}
     ${session ? tools(state, acts) : nothing}
     <div class="stage-notes">${notes(session, state, acts)}</div>

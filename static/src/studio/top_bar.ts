@@ -1,6 +1,7 @@
 // The bar on top: which clip, what it is called, undo and redo, A or B, save.
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
+import type { Mix } from "./mix";
 import type { Session } from "./session";
 
 export interface TopActs {
@@ -19,13 +20,15 @@ export interface TopState {
   original: boolean;
   drawer: Drawer | null;
   busy: boolean;
+  /** What is on the stage, if it is a mix. */
+  mix: Mix | null;
 }
 
-export function topBar(session: Session | null, { original, busy, drawer }: TopState, acts: TopActs): TemplateResult {
+export function topBar(session: Session | null, { original, busy, drawer, mix }: TopState, acts: TopActs): TemplateResult {
   return html`<header class="studio-top">
     ${brand}
     <nav class="crumbs" aria-label="Where you are"><a href="/library">Library</a><a href="/studio/spaces">Spaces</a><span aria-hidden="true">/</span></nav>
-    ${session ? title(session, acts) : html`<h1>Studio</h1>`}
+    ${session ? title(session, mix, acts) : html`<h1>Studio</h1>`}
     ${session
       ? html`<div class="acts">
           <button class="button quiet icon-button" type="button" title="Undo, Ctrl+Z" aria-label="Undo" ?disabled=${!session.history.canUndo} @click=${acts.undo}>${icon("undo")}</button>
@@ -52,13 +55,17 @@ function drawers(session: Session, drawer: Drawer | null, acts: TopActs): Templa
       : nothing}</button></div>`;
 }
 
-function title(session: Session, { choose }: TopActs): TemplateResult {
+function title(session: Session, mix: Mix | null, { choose }: TopActs): TemplateResult {
   const call = (event: Event) => session.call((event.target as HTMLInputElement).value);
   return html`<div class="studio-title"><h1 class="visually-hidden">Studio: ${session.name || session.suggestedName}</h1>
     <input class="title" aria-label="Name of the variant" maxlength="200" placeholder=${session.suggestedName} .value=${session.name} @input=${call}>
-    <p class="tiny">from <button class="link-button" type="button" title="Choose another clip" @click=${choose}>${session.source.name}</button>
+    <p class="tiny">from <button class="link-button" type="button" title="Choose another clip" @click=${choose}>${session.source.name}</button>${mix ? origin(mix) : nothing}
       · <span role="status">${session.isSaved ? "saved" : "not saved"}</span></p></div>`;
 }
+
+const origin = ({ examples, space }: Mix): TemplateResult => html`, a mix of ${examples === 1 ? "1 example" : `${examples} examples`}${space
+  ? html` in <a href="/studio/spaces/${space.id}">${space.name}</a>`
+  : nothing}`;
 
 /** The way home. */
 export const brand = html`<a class="brand" href="/" aria-label="Manner"><svg class="mark" viewBox="0 0 18 28" aria-hidden="true"><path d="M3.6 26.4 9.9 9.6c2.3 5 2.9 7 3.2 9.6l1 7"></path><circle cx="11" cy="4.6" r="3.4"></circle></svg><span>Manner</span></a>`;
