@@ -18,10 +18,21 @@ export function minutes(study: Json): number {
 export function trialsOf(part: Obj): number {
   const clips = listOf(part["stimuli"]).length;
   const kind = textOf(at(part, ["task", "kind"]));
+  if (kind === "match") return stepsOf(part);
   const sets = listOf(part["sets"]).length;
   const checks = listOf(part["checks"]).reduce<number>((sum, check) => sum + Number(at(check, ["count"]) ?? 1), 0);
   return shown(kind, Number(part["subset"] ?? clips), sets) + checks;
 }
+
+/** Every target with each interface, guessed first where the study says so; those for practice are not guessed. */
+function stepsOf(part: Obj): number {
+  const task = at(part, ["task"]);
+  const times = at(task, ["guess_first"]) === false ? 1 : 2;
+  return interfacesOf(task) * (targetsOf(part) * times + listOf(at(task, ["practice_targets"])).length);
+}
+
+const interfacesOf = (task: Json | undefined): number => listOf(at(task, ["interfaces"])).length || 3;
+const targetsOf = (part: Obj): number => Number(part["subset"] ?? listOf(part["stimuli"]).length);
 
 function shown(kind: string, clips: number, sets: number): number {
   if (sets) return sets;
@@ -32,7 +43,7 @@ function shown(kind: string, clips: number, sets: number): number {
 function secondsOf(part: Obj): number {
   switch (part["kind"]) {
     case "trials":
-      return trialsOf(part) * secondsATrial(part);
+      return textOf(at(part, ["task", "kind"])) === "match" ? targetsOf(part) * secondsATarget(at(part, ["task"])) : trialsOf(part) * secondsATrial(part);
     case "form":
       return listOf(part["fields"]).length * A_FIELD;
     case "comment":
@@ -56,8 +67,6 @@ function secondsATrial(part: Obj): number {
       return WATCHING + 5;
     case "free_text":
       return WATCHING + 20;
-    case "match":
-      return secondsATarget(task);
     default:
       return WATCHING + lines * A_LINE;
   }
@@ -65,9 +74,8 @@ function secondsATrial(part: Obj): number {
 
 /** With every interface: a guess, and a match that takes half its time. */
 function secondsATarget(task: Json | undefined): number {
-  const interfaces = listOf(at(task, ["interfaces"])).length || 3;
   const guess = at(task, ["guess_first"]) === false ? 0 : A_GUESS;
-  return interfaces * (guess + Number(at(task, ["seconds"]) ?? 300) / 2);
+  return interfacesOf(task) * (guess + Number(at(task, ["seconds"]) ?? 300) / 2);
 }
 
 /** The words of all texts in a value, in one of their languages. */

@@ -95,6 +95,8 @@ describe("how long it takes", () => {
     expect(trialsOf(trials("likert", 40, { subset: 10 }))).toBe(10);
     expect(trialsOf(trials("ab", 5))).toBe(10);
     expect(trialsOf(trials("choose", 10))).toBe(1);
+    expect(trialsOf(trials("match", 5, { task: { kind: "match", practice_targets: [1, 2, 3] } }))).toBe(39);
+    expect(trialsOf(trials("match", 5, { task: { kind: "match", guess_first: false, interfaces: ["weights"] } }))).toBe(5);
     expect(trialsOf(trials("likert", 40, { checks: [{ kind: "repeated", count: 2 }, { kind: "catch" }] }))).toBe(43);
   });
 

@@ -13,6 +13,8 @@ export class StudyPreview extends LitElement {
   @property() language = "";
   /** Another number loads it anew. */
   @property({ type: Number }) stored = 0;
+  /** There are stimuli that only publishing will make. */
+  @property({ type: Boolean }) made = false;
   /** The draft cannot be shown; what was shown last stays. */
   @property({ type: Boolean }) waiting = false;
   /** What is shown stays until the newest draft is stored. */
@@ -53,7 +55,7 @@ export class StudyPreview extends LitElement {
         ? html`<iframe class=${this.size} title="Preview" src=${this.shown} ?inert=${!this.inUse}></iframe>`
         : html`<p class="preview-empty">The preview comes once there is a part and nothing is missing.</p>`}</div>
       <p class="tiny preview-note" role="status">${this.waiting && this.shown ? html`The preview shows the study as it was before something went missing.` : this.at ? nothing : html`The preview begins with the first part.`}
-        Participants always see the light look. Preview answers are never counted.</p>`;
+        ${this.made ? "Motions that publishing will make move here as what they are made from. " : nothing}Participants always see the light look. Preview answers are never counted.</p>`;
   }
 
   private get address(): string {

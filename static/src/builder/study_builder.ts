@@ -11,11 +11,12 @@ import { addDialog, publishDialog, refusal, versionsDialog, type Changes } from 
 import { ABOUT, CLIPS, CONSENT, fieldsOf, PAGES, SHOWN, TASKS, THANKS, WELCOME } from "./fields";
 import { form, idOf, type Editing } from "./form";
 import {
-  at, duplicated, freeName, inWords, languagesOf, LANGUAGES, moved, partsOf, put, renamedPart, textOf, withoutPart,
+  at, duplicated, freeName, inWords, languagesOf, LANGUAGES, listOf, moved, partsOf, put, renamedPart, textOf, withoutPart,
   type Json, type Language, type Obj, type Path, type Problem, type Study,
 } from "./model";
 import { partsList, problemLinks, selectedBy, type Selected } from "./parts_list";
 import { Saving } from "./saving";
+import { isMade } from "./stimulus";
 import type { StimulusDialog } from "./stimulus_dialog";
 import { missingIn } from "./texts";
 import "../studio/picker";
@@ -237,7 +238,7 @@ export class StudyBuilder extends LitElement {
       <div class=${`builder show-${this.view}`}>
         ${partsList({ study: this.draft, problems, selected, editable, select: (what) => this.select(what), order: (next) => this.order(next), add: () => this.dialog("add-dialog").showModal(), goTo: this.goTo })}
         <section class="part-form" aria-label="Form">${this.failure()}${this.partForm()}</section>
-        <study-preview slug=${study.slug} at=${part} language=${this.language} stored=${this.stored} ?waiting=${!this.canBeShown} ?held=${!this.saving.isStored}></study-preview>
+        <study-preview slug=${study.slug} ?made=${partsOf(this.draft).some((part) => listOf(part["stimuli"]).some(isMade))} at=${part} language=${this.language} stored=${this.stored} ?waiting=${!this.canBeShown} ?held=${!this.saving.isStored}></study-preview>
       </div>
       ${addDialog((kind, task) => this.add(kind, task))}
       ${publishDialog({ ...this.publishing, state: study.state, slug: study.slug, mend: this.mend(), publish: () => void this.publish() })}
