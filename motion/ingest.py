@@ -31,6 +31,7 @@ from motion.units import (
     guess_up,
     heading,
     overall_heading,
+    standing_height,
     stature,
     turn_up,
     unit_name,
@@ -332,7 +333,6 @@ def _settle(clip: Clip, height: float) -> _Settled:
     The file's own floor is kept where the soles come near it.
     """
     pose = forward_kinematics(clip)
-    roles = clip.skeleton.roles
     angle, steady = _facing(clip, pose)
     lowest = float(sole_heights(pose, clip.skeleton, height).min())
     if not np.isfinite(lowest):  # without feet, the lowest joint stands on the floor
@@ -343,13 +343,11 @@ def _settle(clip: Clip, height: float) -> _Settled:
     rotations = clip.rotations.copy()
     rotations[:, 0] = multiply(back, rotations[:, 0])
     positions = rotate(back, clip.root_positions - start)
-    feet = [roles[role] for role in ("left_foot", "right_foot") if role in roles]
-    ankle = float(pose.positions[:, feet, 1].min()) - floor if feet else 0.0
     return _Settled(
         clip=replace(clip, root_positions=positions, rotations=rotations),
         heading=angle,
         steady=steady,
-        stature=stature(clip.skeleton, roles, ankle),
+        stature=standing_height(clip, pose, floor),
         lowest_foot=lowest - floor,
     )
 

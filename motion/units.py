@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from motion.clip import Clip
 from motion.kinematics import WorldPose
 from motion.skeleton import Skeleton
 
@@ -55,6 +56,20 @@ def stature(skeleton: Skeleton, roles: Mapping[str, int], ankle: float = 0.0) ->
     if 0.02 * height < ankle < 0.09 * height:
         height = max(known + crown + ankle, (known + ankle) / (1 - _HEAD))
     return height
+
+
+def standing_height(clip: Clip, pose: WorldPose, floor: float = 0.0) -> float:
+    """Standing height of a clip's body in metres: ``stature``, its ankles as high as they stand.
+
+    Args:
+        clip: in metres, y up.
+        pose: of the clip, in the world.
+        floor: height of the floor that it stands on.
+    """
+    roles = clip.skeleton.roles
+    feet = [roles[role] for role in ("left_foot", "right_foot") if role in roles]
+    ankle = float(pose.positions[:, feet, 1].min()) - floor if feet else 0.0
+    return stature(clip.skeleton, roles, ankle)
 
 
 def _way(skeleton: Skeleton, joint: int, ancestor: int) -> float:

@@ -11,6 +11,7 @@ from motion.figure import build_figure
 from motion.glb import write_clip_glb, write_figure_glb
 from motion.kinematics import end_site_positions, forward_kinematics
 from motion.storage import clip_to_bytes
+from motion.units import standing_height
 
 
 @dataclass(frozen=True)
@@ -35,7 +36,7 @@ class ClipFiles:
 
 
 def make_files(clip: Clip, stature: float | None = None) -> ClipFiles:
-    """All files of one clip; its stature is measured where the import has not found it."""
+    """All files of one clip; its stature is measured unless it is known."""
     return ClipFiles(
         id=clip.content_hash,
         skeleton_hash=clip.skeleton.content_hash,
@@ -71,8 +72,13 @@ def poster_time(clip: Clip) -> float:
 
 
 def measure_stature(clip: Clip) -> float:
-    """Metres from the lowest to the highest point of the skeleton, at its most upright."""
+    """Metres that a clip's body is tall, whatever it does.
+
+    Without the body roles for that, from its lowest to its highest point at its most upright.
+    """
     pose = forward_kinematics(clip)
+    if height := standing_height(clip, pose):
+        return height
     tips = end_site_positions(clip.skeleton, pose)
     heights = np.concatenate([pose.positions[..., 1], tips[..., 1]], axis=1)
     return float(np.max(np.ptp(heights, axis=1)))

@@ -52,7 +52,7 @@ def read_motion(data: bytes, options: ImportOptions) -> ReadMotion:
 
     try:
         ingested = ingest(data, IngestOptions(**options.model_dump()))
-        files = make_files(ingested.clip, ingested.report.stature)
+        files = make_files(ingested.clip)
     except MotionError as error:
         raise _unreadable(error) from error
     report = {**ingested.report.to_dict(), "options": options.model_dump(exclude_defaults=True)}

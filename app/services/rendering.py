@@ -17,7 +17,7 @@ import orjson
 
 from app.errors import InvalidError
 from app.schemas.retargets import CycleCut
-from app.services.clip_files import ClipFiles, make_files
+from app.services.clip_files import ClipFiles, make_files, measure_stature
 from motion import Clip, MotionError
 from motion.bvh_write import write_bvh
 from motion.editing.cycle_cut import cut_cycle
@@ -53,7 +53,7 @@ class Supplies:
 def render(source: bytes, operations: Steps, supplies: Supplies, stature: float) -> ClipFiles:
     """The edited clip with all its files; ``stature`` is the source's, in metres.
 
-    On another body the stature is measured again.
+    On another body it is that of the clip which lends the body.
 
     Raises:
         InvalidError: the recipe is wrong, or the clip does not lend itself to it.
@@ -61,8 +61,12 @@ def render(source: bytes, operations: Steps, supplies: Supplies, stature: float)
     with _told():
         clip = _clip(source)
         edited = Recipe.parse(operations).apply(clip, _materials(supplies))
-        same = edited.skeleton.content_hash == clip.skeleton.content_hash
-        return make_files(edited, stature if same else None)
+        if edited.skeleton.content_hash == clip.skeleton.content_hash:
+            return make_files(edited, stature)
+        lent = (_clip(one) for one in supplies.clips.values())
+        wanted = edited.skeleton.content_hash
+        body = next((one for one in lent if one.skeleton.content_hash == wanted), edited)
+        return make_files(edited, measure_stature(body))
 
 
 def preview(source: bytes, operations: Steps, supplies: Supplies) -> bytes:
