@@ -17,6 +17,7 @@ from app.persistence.engine import Database, make_engine
 from app.security import SignInCookies
 from app.services import researchers
 from app.settings import Settings
+from tests.browser.participant import keep_still
 from tests.support.server import Server
 
 DESKTOP = {"width": 1280, "height": 800}
@@ -82,7 +83,7 @@ def server(prepared_data: Path, tmp_path: Path) -> Iterator[Server]:
 
 @pytest.fixture
 def research_page(server: Server, page: Page) -> Page:
-    """A page whose user is signed in as the server's researcher."""
+    """A page whose user is signed in as the server's researcher; its figures stand still."""
     settings = Settings(data_directory=server.data_directory, public_url=server.url)
     database = Database(make_engine(settings.database))
     with database.writing() as db:
@@ -92,6 +93,7 @@ def research_page(server: Server, page: Page) -> Page:
     cookies = SignInCookies(settings)
     value = cookies.make(someone.researcher_id, someone.password_mark)
     page.context.add_cookies([{"name": cookies.name, "value": value, "url": server.url}])
+    keep_still(page.context)
     page.goto(server.url + "/research")
     return page
 

@@ -278,7 +278,6 @@ def test_a_preview_can_be_played_too(
     research_page: Page, matching: Matching, server: Server
 ) -> None:
     matching(threshold=BETWEEN)
-    keep_still(research_page.context)
     research_page.goto(f"{server.url}/research/studies/matching/preview")
     expect(slider(research_page, 2)).to_be_enabled(timeout=LONG)
     press(research_page, 2, "End")
