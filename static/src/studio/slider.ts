@@ -45,11 +45,16 @@ export const deleteButton = (label: string, remove: () => void): TemplateResult 
 export const filled = (amount: Pick<Amount, "value" | "min" | "max" | "neutral">) =>
   ref((element) => paint(element as HTMLElement | undefined, amount));
 
+/** What a slider was last painted like: in a drag most of a page's sliders stand still. */
+const painted = new WeakMap<HTMLElement, string>();
+
 function paint(slider: HTMLElement | undefined, { value, min, max, neutral }: Pick<Amount, "value" | "min" | "max" | "neutral">): void {
   if (!slider) return;
   const share = (at: number) => (Math.min(Math.max(at, min), max) - min) / (max - min);
   const [from, to] = [share(neutral), share(value)].sort((one, other) => one - other) as [number, number];
-  slider.style.setProperty("--from", from.toFixed(4));
-  slider.style.setProperty("--to", to.toFixed(4));
-  slider.style.setProperty("--neutral", share(neutral).toFixed(4));
+  const places = { from, to, neutral: share(neutral) };
+  const look = JSON.stringify(places);
+  if (painted.get(slider) === look) return;
+  painted.set(slider, look);
+  for (const [name, place] of Object.entries(places)) slider.style.setProperty(`--${name}`, place.toFixed(4));
 }
