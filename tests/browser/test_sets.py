@@ -133,8 +133,7 @@ def test_a_key_is_shown_once_and_revoked(research_page: Page, server: Server) ->
     assert key not in server.log
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+@pytest.mark.parametrize(("size", "scheme"), [(DESKTOP, "light"), (PHONE, "dark")], ids=str)
 def test_keys_and_sets_are_accessible_and_fit(
     research_page: Page, server: Server, size: dict, scheme: str
 ) -> None:

@@ -318,8 +318,7 @@ def write_key(page: Page, server: Server) -> str:
     return other.locator("#secret").inner_text()
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("size", [DESKTOP, PHONE], ids=["desktop", "phone"])
+@pytest.mark.parametrize(("size", "scheme"), [(DESKTOP, "light"), (PHONE, "dark")], ids=str)
 def test_axe_finds_nothing_in_the_studio_and_nothing_is_cut_off(
     research_page: Page, server: Server, size, scheme
 ):
