@@ -9,7 +9,7 @@ from playwright.sync_api import Locator, Page, expect
 
 from tests.browser.accessibility import violations
 from tests.browser.conftest import PHONE
-from tests.support.other_bodies import stranger_bvh
+from tests.support.other_bodies import stranger, stranger_bvh
 from tests.support.server import Server
 
 pytestmark = pytest.mark.browser
@@ -73,6 +73,13 @@ def test_an_imported_walk_is_put_onto_a_common_body_and_mixed_with_its_clips(
     dialog.get_by_label("One cycle of it").check()
     tried(page)
     expect(dialog.get_by_label("Name")).to_have_value("stranger_cycle_on_set_a_neutral")
+    # Both bodies show this one of its three strides, and so the same instant of it.
+    page.wait_for_function(
+        "longest => { const { duration } = document.querySelector('body-dialog motion-viewer');"
+        " return duration > 0 && duration < longest; }",
+        arg=stranger().duration / 2,
+        timeout=PATIENCE,
+    )
     assert faults_of_access(page) == []
     dialog.get_by_label("Name").fill("short walker")
     dialog.get_by_role("button", name="Make the clip").click()

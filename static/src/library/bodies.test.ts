@@ -1,5 +1,6 @@
-import { expect, test } from "vitest";
-import { lines, others, recipe, sharedBy, type Body } from "./bodies";
+import { expect, test, vi } from "vitest";
+import { api } from "../api";
+import { lines, onItsOwn, others, preview, recipe, sharedBy, type Body } from "./bodies";
 import type { Clip } from "./model";
 
 const clip = (id: string, skeleton: string, more: Partial<Clip> = {}): Clip => ({
@@ -15,6 +16,19 @@ test("a cycle is cut before the motion gets its new body", () => {
   expect(recipe({ duration: 1.5 }, "x", "none")).toEqual([onto]);
   expect(recipe({ duration: 1.5 }, "x", "found")).toEqual([{ operation: "cycle@1", parameters: {} }, onto]);
   expect(recipe({ duration: 1.5 }, "x", "whole")).toEqual([{ operation: "cycle@1", parameters: { start: 0, end: 1.5 } }, onto]);
+});
+
+test("beside a cycle on its new body stands the same cycle on its own", async () => {
+  const asked = vi.spyOn(api, "bytesFor").mockResolvedValue(new ArrayBuffer(1));
+  const file = vi.spyOn(api, "bytes").mockResolvedValue(new ArrayBuffer(2));
+  const mine = clip("mine", "child", { glb_url: "/media/mine" });
+  for (const cut of ["found", "whole"] as const) {
+    await Promise.all([preview(mine, "x", cut), onItsOwn(mine, cut)]);
+    const [moved, own] = asked.mock.calls.splice(0).map(([, body]) => (body as { operations: unknown[] }).operations);
+    expect(own).toEqual(moved!.slice(0, -1));
+  }
+  await onItsOwn(mine, "none");
+  expect(file).toHaveBeenCalledWith("/media/mine");
 });
 
 test("who shares a skeleton is told, whether the clip is kept already or not", () => {

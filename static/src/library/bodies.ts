@@ -21,18 +21,21 @@ export const bodies = async () => (await api.get<Schemas["SkeletonList"]>("/api/
 export const keep = (id: string) => api.post<ClipDetail>(`/api/v1/clips/${id}/confirm`);
 export const fitOf = (clip: Clip, onto: string, cycle: Cut) =>
   api.get<Fit>(`/api/v1/clips/${clip.id}/retargeting`, { query: { onto, cycle } });
-export const preview = (clip: Clip, onto: string, cut: Cut) =>
-  api.bytesFor("/api/v1/clips/preview", { source: clip.id, operations: recipe(clip, onto, cut) });
+export const preview = (clip: Clip, onto: string, cut: Cut) => tried(clip, recipe(clip, onto, cut));
+/** The same stretch of the motion on the body that performed it, so that both begin at one instant. */
+export const onItsOwn = (clip: Clip, cut: Cut) => (cut === "none" ? api.bytes(clip.glb_url) : tried(clip, cycle(clip, cut)));
+const tried = (clip: Clip, operations: Steps) => api.bytesFor("/api/v1/clips/preview", { source: clip.id, operations });
 export const make = (clip: Clip, onto: string, cut: Cut, name: string) =>
   api.post<ClipDetail>("/api/v1/clips", { source: clip.id, operations: recipe(clip, onto, cut), name });
 
 /** The steps that put a clip onto the body of another; a cycle is cut on the body that it was performed by. */
 export function recipe(clip: Pick<Clip, "duration">, onto: string, cut: Cut): Steps {
-  const span = cut === "whole" ? { start: 0, end: clip.duration } : {};
-  return [
-    ...(cut === "none" ? [] : [{ operation: "cycle@1", parameters: span }]),
-    { operation: "retarget@1", parameters: { clip: onto } },
-  ];
+  return [...cycle(clip, cut), { operation: "retarget@1", parameters: { clip: onto } }];
+}
+
+function cycle({ duration }: Pick<Clip, "duration">, cut: Cut): Steps {
+  if (cut === "none") return [];
+  return [{ operation: "cycle@1", parameters: cut === "whole" ? { start: 0, end: duration } : {} }];
 }
 
 /** Who else moves a clip's skeleton, and why that matters. */

@@ -17,8 +17,15 @@ interface Choice {
   cut: server.Cut;
 }
 
-/** The figure on the new body is the second. */
+/** The figures on the stage. */
+const OWN = 0;
 const NEW = 1;
+
+/** The stretch of the motion that is tried, on either body. */
+interface Motions {
+  own: ArrayBuffer;
+  moved: ArrayBuffer;
+}
 
 @customElement("body-dialog")
 export class BodyDialog extends LitElement {
@@ -32,8 +39,8 @@ export class BodyDialog extends LitElement {
   @query("dialog") private dialog!: HTMLDialogElement | null;
   @query("motion-viewer") private viewer!: MotionViewer | null;
   private readonly tries = new Latest<Choice>((choice) => this.attempt(choice));
-  /** The motion on the chosen body, once it has come. */
-  private motion: ArrayBuffer | null = null;
+  /** What is to be seen, once it has come. */
+  private motions: Motions | null = null;
   private isReady = false;
 
   protected override createRenderRoot(): HTMLElement {
@@ -52,7 +59,7 @@ export class BodyDialog extends LitElement {
   private choose(choice: Choice): void {
     if (choice.body !== this.choice?.body) this.isReady = false;
     this.choice = choice;
-    this.fit = this.problem = this.motion = null;
+    this.fit = this.problem = this.motions = null;
     this.present();
     this.tries.ask(choice);
   }
@@ -63,8 +70,8 @@ export class BodyDialog extends LitElement {
     const isWanted = () => this.clip === clip && this.choice?.body === body && this.choice.cut === cut;
     try {
       const onto = body.example.id;
-      const [fit, motion] = await Promise.all([server.fitOf(clip, onto, cut), server.preview(clip, onto, cut)]);
-      if (isWanted()) Object.assign(this, { fit, motion });
+      const [fit, own, moved] = await Promise.all([server.fitOf(clip, onto, cut), server.onItsOwn(clip, cut), server.preview(clip, onto, cut)]);
+      if (isWanted()) Object.assign(this, { fit, motions: { own, moved } });
     } catch (error) {
       if (isWanted()) this.problem = asApiError(error);
     }
@@ -74,8 +81,11 @@ export class BodyDialog extends LitElement {
   /** Show the second figure as soon as both it and its motion are here, and not before. */
   private present(): void {
     if (!this.isReady || !this.viewer) return;
-    if (this.motion) this.viewer.setMotion(NEW, this.motion);
-    this.viewer.setShown(NEW, this.motion !== null);
+    if (this.motions) {
+      this.viewer.setMotion(OWN, this.motions.own);
+      this.viewer.setMotion(NEW, this.motions.moved);
+    }
+    this.viewer.setShown(NEW, this.motions !== null);
   }
 
   private readonly ready = (): void => {
