@@ -6,7 +6,7 @@ import re
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.browser.accessibility import violations
 from tests.browser.conftest import PHONE
@@ -184,7 +184,7 @@ def test_the_point_on_the_map_is_dragged_and_an_example_is_gone_to(space: Page):
     page.mouse.up()
     settled(page)
     expect(place).to_have_attribute("aria-valuetext", re.compile(r"1\.00, .* 1\.00"))
-    outside = mix(page).get_by_text("outside what the examples span")
+    outside = mix(page).get_by_text("Outside what the examples span")
     expect(outside).to_be_visible()
     place.focus()
     page.keyboard.press("Shift+ArrowLeft")
@@ -209,7 +209,11 @@ def test_what_is_saved_is_an_ordinary_clip_made_by_a_recipe(space: Page, server:
     detail = page.request.get(f"{server.url}/api/v1/clips/{clip['id']}").json()
     assert [step["operation"] for step in detail["provenance"]["recipe"]] == ["blend@1"]
     link.click()
-    expect(page.get_by_label("Name of the variant")).to_have_value("as large as I like it")
+    expect(page.get_by_role("heading", name="Studio: as large as I like it")).to_be_attached()
+    expect(page.get_by_text(re.compile("from as large as I like it, a mix of"))).to_be_visible()
+    settled(page)
+    page.get_by_role("link", name=DEMONSTRATION).click()
+    expect(page.get_by_role("slider", name="largeness")).to_have_value("0.7")
 
 
 def test_events_that_are_moved_make_the_next_version(space: Page, server: Server):
@@ -280,7 +284,15 @@ def test_without_a_connection_the_last_motion_stays_and_the_newest_place_follows
     expect(page.get_by_text("The server cannot be reached.")).to_be_visible()
     assert duration(page) == lasted
     page.unroute("**/motion")
+    asked: list[Route] = []
+    page.route("**/motion", lambda route: asked.append(route))
     page.get_by_role("button", name="Try now").click()
+    stage = page.get_by_role("region", name="Stage")
+    expect(stage).to_have_attribute("aria-busy", "true")
+    expect(page.get_by_text("The server cannot be reached.")).to_be_visible()
+    for route in asked:
+        route.continue_()
+    page.unroute("**/motion")
     expect(page.get_by_text("The server cannot be reached.")).to_have_count(0)
     settled(page)
     assert duration(page) != lasted
