@@ -54,7 +54,7 @@ def call(client: TestClient, method: str, path: str, **headers: str) -> Response
     """Calls with nothing in the body and numbers that nobody has."""
     for name in (
         "clip_id", "graph_id", "job_id", "pose_id", "name", "slug", "session_id", "email", "part",
-        "space_id", "index",
+        "space_id", "index", "job",
     ):  # fmt: skip
         path = path.replace(f"{{{name}}}", str(uuid4()))
     assert "{" not in path, f"{path}: say what stands in its place"
