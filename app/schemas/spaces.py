@@ -330,10 +330,16 @@ class PredictedParameter(BaseModel):
 
 
 class Prediction(BaseModel):
-    """The impressions that a clip would have in a space."""
+    """The impressions that a clip would have in a space.
+
+    Attributes:
+        level: of the intervals: the share of new clips that they hold, as far as the number of
+            rated clips allows; None if nothing is learnt.
+    """
 
     clip: ContentHash
     parameters: list[PredictedParameter]
+    level: float | None
     can_join: bool
     sentence: str
 

@@ -85,6 +85,7 @@ def predict(space: SpaceDefinition, first: Source, candidate: Source) -> Predict
     return Prediction(
         clip=candidate.id,
         parameters=rows,
+        level=learnt.level if learnt else None,
         can_join=fault is None,
         sentence=fault or _sentence(rows, kept),
     )

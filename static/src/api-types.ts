@@ -4359,12 +4359,18 @@ export interface components {
         /**
          * Prediction
          * @description The impressions that a clip would have in a space.
+         *
+         *     Attributes:
+         *         level: of the intervals: the share of new clips that they hold, as far as the number of
+         *             rated clips allows; None if nothing is learnt.
          */
         Prediction: {
             /** Clip */
             clip: string;
             /** Parameters */
             parameters: components["schemas"]["PredictedParameter"][];
+            /** Level */
+            level: number | null;
             /** Can Join */
             can_join: boolean;
             /** Sentence */

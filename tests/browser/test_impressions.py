@@ -142,8 +142,12 @@ def test_the_cut_is_moved_by_keys_and_by_pointer(impressions: Page, server: Serv
     expect(columns).to_have_count(5, timeout=LONG)
     expect(cut).to_have_attribute("aria-valuenow", "5")
     expect(page.locator(".cluster-count")).to_have_text("five clusters")
+    page.get_by_role("button", name="One cluster more").click()
+    expect(columns).to_have_count(6, timeout=LONG)
     cut.press("Home")
     expect(columns).to_have_count(1, timeout=LONG)
+    drag(page, page.locator(".cut"), 3)  # as a finger slips that scrolls the page
+    expect(cut).to_have_attribute("aria-valuenow", "1")
     drag(page, page.locator(".cut"), 150)
     expect(columns).not_to_have_count(1, timeout=LONG)
     saved(page)

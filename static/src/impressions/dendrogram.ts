@@ -19,7 +19,17 @@ export interface Drawing {
   width: number;
   /** Where the cut is while it is dragged; null where it rests. */
   held: number | null;
+  grip: Grip;
 }
+
+/** Where the cut was taken hold of: the pointer's place and the cut's. It moves once the pointer has gone sideways. */
+export interface Grip {
+  pointer: number;
+  cut: number;
+  moving: boolean;
+}
+
+const SLACK = 4; // px that a finger may slip before it is a drag
 
 export interface Cutting {
   /** The cut is at this height, and makes so many clusters. */
@@ -74,19 +84,18 @@ function across({ height, ends }: Branch, drawing: Drawing, scale: Scale, cut: n
       : nothing)}`;
 }
 
-function knob(x: number, bottom: number, { merges, cut }: Drawing, scale: Scale, act: Cutting): SVGTemplateResult {
+function knob(x: number, bottom: number, { merges, cut, grip }: Drawing, scale: Scale, act: Cutting): SVGTemplateResult {
   const most = merges.length + 1;
-  const at = (event: PointerEvent) => {
-    const box = (event.currentTarget as Element).closest("svg")!.getBoundingClientRect();
-    return Math.min(scale.height(event.clientX - box.left), (merges.at(-1)?.height ?? 1) * 1.04);
-  };
   const move = (event: PointerEvent) => {
-    const held = (event.currentTarget as Element).hasPointerCapture(event.pointerId);
-    if (held) act.drag(at(event), Math.min(clustersAt(merges, at(event)), 50));
+    if (!(event.currentTarget as Element).hasPointerCapture(event.pointerId)) return;
+    const by = event.clientX - grip.pointer;
+    grip.moving ||= Math.abs(by) > SLACK;
+    const height = Math.min(scale.height(grip.cut + by), (merges.at(-1)?.height ?? 1) * 1.04);
+    if (grip.moving) act.drag(height, Math.min(clustersAt(merges, height), 50));
   };
-  const grip = (event: PointerEvent) => {
+  const hold = (event: PointerEvent) => {
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
-    move(event);
+    Object.assign(grip, { pointer: event.clientX, cut: x, moving: false });
   };
   const press = (event: KeyboardEvent) => {
     const wanted = stepped(event.key, cut, Math.min(most, 50));
@@ -96,7 +105,7 @@ function knob(x: number, bottom: number, { merges, cut }: Drawing, scale: Scale,
   };
   return svg`<g class="cut" role="slider" tabindex="0" aria-label="Cut of the tree" aria-orientation="horizontal"
       aria-valuemin="1" aria-valuemax=${Math.min(most, 50)} aria-valuenow=${cut} aria-valuetext="${cut} ${cut === 1 ? "cluster" : "clusters"}"
-      @keydown=${press} @pointerdown=${grip} @pointermove=${move} @pointerup=${act.drop} @pointercancel=${act.drop}>
+      @keydown=${press} @pointerdown=${hold} @pointermove=${move} @pointerup=${act.drop} @pointercancel=${act.drop}>
     <rect class="reach" x=${x - 22} y="0" width="44" height=${bottom}/>
     <path d="M${x} ${TOP / 2 + 9}V${bottom}"/><circle class="ring" cx=${x} cy=${TOP / 2} r="13"/><circle class="knob" cx=${x} cy=${TOP / 2} r="8"/></g>`;
 }

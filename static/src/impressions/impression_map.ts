@@ -3,7 +3,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { icon } from "../icons";
 import { number } from "../results/words";
-import { dendrogram } from "./dendrogram";
+import { dendrogram, type Grip } from "./dendrogram";
 import { ask } from "./events";
 import { clustersOfLeaves, counted, groupOf, pairWords, shade, share, spans, textOf, type Impressions, type Limits, type Span } from "./model";
 import { paint } from "./paint";
@@ -30,6 +30,7 @@ export class ImpressionMap extends LitElement {
   @state() private entry: Cell = { row: 0, column: 0 };
   /** Height of the cut while it is dragged. */
   @state() private held: number | null = null;
+  private readonly grip: Grip = { pointer: 0, cut: 0, moving: false };
   private readonly narrow = matchMedia("(max-width: 699px)");
   private readonly fit = () => this.requestUpdate();
 
@@ -52,7 +53,8 @@ export class ImpressionMap extends LitElement {
     const { clips, kept, pairs } = data;
     return html`<header>
         <h2 class="figure-title" id="together">Which adjective pairs go together</h2>
-        <p>Ward’s method over ${clips.length} clips, ${kept.length} pairs kept of ${pairs.length}. Drag the cut, or move it with the arrow keys: <span class="cluster-count">${counted(data.clusters.length, "cluster")}</span>.</p>
+        <p>Ward’s method over ${clips.length} clips, ${kept.length} pairs kept of ${pairs.length}. Drag the cut, or step it.</p>
+        <div class="cut-steps">${this.step(-1, "fewer", "−")}<span class="cluster-count">${counted(data.clusters.length, "cluster")}</span>${this.step(1, "more", "+")}</div>
       </header>
       <div class="map-scroll ${clips.length <= MOST_BESIDE ? "fits" : ""}"><div class="map">${this.tree()}${this.table()}</div></div>
       <div class="map-foot">${this.legend()}
@@ -73,7 +75,7 @@ export class ImpressionMap extends LitElement {
     const row = new Map(leaves.map((id, place) => [id, place]));
     return dendrogram(
       {
-        merges, held: this.held, cut: Math.max(1, clusters.length), width: this.narrow.matches ? 104 : clips.length > FEW ? 180 : 268,
+        merges, held: this.held, grip: this.grip, cut: Math.max(1, clusters.length), width: this.narrow.matches ? 104 : clips.length > FEW ? 180 : 268,
         order: kept.map((id) => row.get(id)!), clusters: clustersOfLeaves(this.data),
       },
       {
@@ -82,6 +84,12 @@ export class ImpressionMap extends LitElement {
         set: (wanted) => this.cutInto(wanted),
       },
     );
+  }
+
+  private step(by: number, words: string, sign: string): TemplateResult {
+    const wanted = this.limits.clusters + by;
+    const most = Math.min(this.data.kept.length, 50);
+    return html`<button class="button" type="button" aria-label="One cluster ${words}" ?disabled=${wanted < 1 || wanted > most} @click=${() => this.cutInto(wanted)}>${sign}</button>`;
   }
 
   private cutInto(clusters: number): void {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { clustersOfLeaves, counted, groupOf, pairWords, reaches, reasons, remembered, shade, share, spans, textOf, type Pair } from "./model";
+import { comparableName, clustersOfLeaves, counted, groupOf, pairWords, reaches, reasons, remembered, shade, share, spans, textOf, type Pair } from "./model";
 
 const pair = (id: string, more: Partial<Pair> = {}): Pair =>
   ({ id, left: { en: "slow", fi: "hidas" }, right: "fast", peak: 1.2, spread: 0.5, dropped: null, cluster: 0, moved: false, ...more }) as Pair;
@@ -57,4 +57,9 @@ test("names and moves that the present cut has no place for are remembered", () 
 
 test("small numbers are words", () => {
   expect([1, 4, 13].map((count) => counted(count, "cluster"))).toEqual(["one cluster", "four clusters", "13 clusters"]);
+});
+
+test("a study's part is named in the menu only where it has several", () => {
+  const [a, b, c] = [["one", "walks"], ["one", "tall_runs"], ["two", "walks"]].map(([slug, part]) => ({ slug: slug!, title: slug!, part: part! }));
+  expect([a!, b!, c!].map((one) => comparableName(one, [a!, b!, c!]))).toEqual(["one · walks", "one · tall runs", "two"]);
 });

@@ -96,10 +96,10 @@ export class JoinDialog extends LitElement {
       : nothing}`;
   }
 
-  private table({ sentence, parameters }: server.Prediction): TemplateResult {
+  private table({ sentence, parameters, level }: server.Prediction): TemplateResult {
     return html`<p>${sentence}</p>${parameters.length
       ? html`<div class="table-scroll predictions" tabindex="0" role="group" aria-label="Predictions"><table>
-          <thead><tr><th scope="col">Pair</th><th scope="col">Predicted, with its 95 % interval</th><th scope="col" class="number">Error</th></tr></thead>
+          <thead><tr><th scope="col">Pair</th><th scope="col">Predicted, from 0 (left word) to 1 (right word)${level === null ? nothing : `, with its ${Math.round(100 * level)}\u00a0% interval`}</th><th scope="col" class="number">Error</th></tr></thead>
           <tbody>${parameters.map((one) => this.row(one))}</tbody></table></div>`
       : nothing}`;
   }
