@@ -15,6 +15,7 @@ from app.services.spaces import SAMPLES
 from motion.procedural.library import set_a
 from motion.storage import clip_from_bytes
 from tests.app.conftest import Researching
+from tests.app.services.test_matching import published, study_of
 from tests.support.motions import walk_bvh
 
 SPACES = "/api/v1/spaces"
@@ -286,6 +287,21 @@ def test_a_deleted_space_is_gone_and_what_was_made_in_it_stays(author: Researchi
         assert refusal(answer) == (404, "space_not_found")
     assert author.get(f"/api/v1/clips/{clip}.bvh").status_code == 200
     assert len(walks(author)) == 4
+
+
+def test_a_published_study_keeps_the_version_that_its_stimuli_were_made_in(
+    author: Researching,
+) -> None:
+    space = made(author)
+    slug = published(author, study_of(space))
+    (part,) = author.get(f"/api/v1/studies/{slug}").json()["definition"]["parts"]
+    named = [part["task"]["space"], *(one["made"]["space"] for one in part["stimuli"])]
+    assert named == [space["id"]] * 3
+    newer = made(author, clips=[clip["id"] for clip in walks(author)][:2])
+    answer = author.delete(f"{SPACES}/{space['id']}")
+    assert refusal(answer) == (409, "space_in_use")
+    assert answer.json()["error"]["where"] == {"studies": [slug]}
+    assert author.delete(f"{SPACES}/{newer['id']}").status_code == 204
 
 
 def test_pages_of_spaces_show_to_the_signed_in(author: Researching) -> None:
