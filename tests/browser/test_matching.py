@@ -250,6 +250,7 @@ def test_a_guess_shows_no_blue_figure_and_rests_once_it_is_given(
     expect(page.locator("motion-figure")).to_have_count(2)
     assert grave_faults(page) == []
     assert page.evaluate(TOO_SMALL) == []
+    assert page.evaluate("document.documentElement.scrollHeight") <= PHONE["height"]
     page.locator(".back").click()
     expect(page.get_by_text("Your guess is kept.")).to_be_visible(timeout=LONG)
     expect(slider(page, 1)).to_be_disabled()
