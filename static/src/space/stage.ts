@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { keyed } from "lit/directives/keyed.js";
 import type { ApiError } from "../api";
-import { note, unreachable } from "../studio/stage_view";
+import { bareStage, note, unreachable } from "../studio/stage_view";
 import type { Space } from "./server";
 import type { SpaceSession } from "./session";
 
@@ -16,7 +16,7 @@ export interface StageActs {
 
 export function stage(session: SpaceSession | null, failure: ApiError | null, acts: StageActs): TemplateResult {
   return html`<section class="studio-stage" aria-label="Stage" aria-busy=${session ? session.isBusy : !failure}>
-    ${session ? figure(session.space, acts) : nothing}
+    ${session ? figure(session.space, acts) : bareStage(failure ? "Nothing is on the stage" : "The examples are on their way")}
     ${session && session.looking !== null ? looked(session, session.looking, acts) : nothing}
     <div class="stage-notes">${notes(session, failure, acts)}</div></section>`;
 }

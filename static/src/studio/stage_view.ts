@@ -74,7 +74,13 @@ export const unreachable = (retry: () => void): TemplateResult => html`<div clas
 export const note = (message: string, mend: string | null, act: TemplateResult | typeof nothing = nothing) =>
   html`<div class="note note-bad" role="alert">${icon("warning")}<div><p><b>${message}</b></p>${mend ? html`<p>${mend}</p>` : nothing}<p>${act}</p></div></div>`;
 
-const empty = ({ failure }: StageState, { choose }: StageActs) => html`<div class="empty">
+const empty = ({ failure }: StageState, { choose }: StageActs) => bareStage(
+  failure ? "Nothing is on the stage" : "Which motion shall it be?",
+  html`<button class="button primary" type="button" @click=${choose}>Choose a clip</button>`,
+);
+
+/** The floor, before anybody stands on it. */
+export const bareStage = (title: string, act: TemplateResult | typeof nothing = nothing): TemplateResult => html`<div class="empty">
   <svg class="disc" viewBox="0 0 220 80" aria-hidden="true"><path d="M8 66 92 14M60 72 138 12M128 72 172 18M30 22l160 40M70 12l140 34M6 44l120 30" stroke-width="1" fill="none"></path><ellipse class="rim" cx="110" cy="42" rx="84" ry="26" stroke-width="1.4"></ellipse></svg>
-  <h2 class="figure-title">${failure ? "Nothing is on the stage" : "Which motion shall it be?"}</h2>
-  <div class="buttons"><button class="button primary" type="button" @click=${choose}>Choose a clip</button></div></div>`;
+  <h2 class="figure-title">${title}</h2>
+  <div class="buttons">${act}</div></div>`;
