@@ -20,7 +20,7 @@ from app.i18n import SOURCE
 from app.pages import render
 from app.schemas.study import Language
 from app.security import CONTENT_POLICY
-from app.services import drafts, studies
+from app.services import drafts, previews, studies
 
 router = APIRouter(prefix="/research", include_in_schema=False)
 
@@ -63,7 +63,7 @@ def show_preview(
 ) -> Response:  # fmt: skip
     """The participant's pages with what is being edited. Nothing is stored."""
     if part == WELCOME:
-        page = drafts.preview_welcome(db, access, language)
+        page = previews.welcome(db, access, language)
         return render(
             request, "participant/welcome.html", headers=FRAMED, language=page.language,
             study=page.study, clip=page.clip, languages=[], carried={}, problem=None,

@@ -37,7 +37,7 @@ from app.schemas.studies_api import (
     TemplateList,
 )
 from app.schemas.study import Language, Running
-from app.services import draft_clips, drafts, new_studies, publishing
+from app.services import draft_clips, drafts, new_studies, previews, publishing
 
 api = APIRouter(prefix="/api/v1/studies", tags=["studies"], responses=ERRORS)
 templates = APIRouter(prefix="/api/v1/study-templates", tags=["studies"], responses=ERRORS)
@@ -206,7 +206,7 @@ def preview_study(
     part: Annotated[str | None, Query(max_length=60)] = None,
 ) -> SessionView:
     """A participant's whole way through what is being edited. Nothing is stored or counted."""
-    return drafts.preview(db, access, language, part)
+    return previews.session(db, access, language, part)
 
 
 @api.post(
@@ -222,4 +222,4 @@ def preview_motion(
     part: Annotated[str | None, Query(max_length=60)] = None,
 ) -> Response:
     """The motion that the sliders of a preview's step make; `part` as the preview was asked for."""
-    return motion_response(drafts.preview_motion(db, access, index, moved.values, part))
+    return motion_response(previews.motion(db, access, index, moved.values, part))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from datetime import datetime, timedelta
 from typing import Any
 
@@ -14,7 +13,6 @@ from app.persistence import studies as store
 from app.persistence import study_versions
 from app.persistence.models import Study, StudyVersion, now
 from app.schemas.live import Role
-from app.schemas.sessions import SessionView
 from app.schemas.studies_api import (
     Problem,
     SavedDraft,
@@ -24,21 +22,16 @@ from app.schemas.studies_api import (
     StudyList,
     VersionLine,
 )
-from app.schemas.study import Language, Running, StudyDefinition
+from app.schemas.study import Running, StudyDefinition
 from app.services import (
     audit,
-    matching,
     rights,
-    session_views,
     studies,
     study_files,
     study_stimuli,
     study_text,
 )
-from app.services.matching import Made
-from app.services.plans import planned_steps
 from app.services.rights import Access
-from app.services.studies import WelcomePage
 
 ONE_EDIT = timedelta(minutes=10)  # what is saved so closely together is one entry of the audit
 
@@ -189,7 +182,7 @@ def problems(db: Session, study: Study, draft: dict[str, Any]) -> list[Problem]:
 def _examined(db: Session, study: Study, draft: dict[str, Any]) -> tuple[list[Problem], bool]:
     """A draft's problems, and whether it can be shown in spite of them."""
     definition, _, found = study_files.examine(draft)
-    can_be_shown = definition is not None and _can_be_shown(found)
+    can_be_shown = definition is not None and is_presentable(found)
     if draft.get("slug") != study.slug and "slug" in draft:
         found.append(
             Problem(
@@ -205,7 +198,7 @@ def _examined(db: Session, study: Study, draft: dict[str, Any]) -> tuple[list[Pr
     return [*found, *clips], can_be_shown and not clips
 
 
-def _can_be_shown(problems: list[Problem]) -> bool:
+def is_presentable(problems: list[Problem]) -> bool:
     """Whether the preview works nevertheless: a study without clips has its pages to show."""
     return all(problem.where == ["parts"] for problem in problems)
 
@@ -230,55 +223,6 @@ def file(db: Session, access: Access, number: int | None, file_format: str) -> t
     if file_format == "json":
         return name, json.dumps(definition, indent=2, ensure_ascii=False) + "\n"
     return name, study_files.write(definition)
-
-
-def preview(
-    db: Session, access: Access, language: Language | None, part: str | None
-) -> SessionView:
-    """A participant's way through what is being edited, beginning with a part.
-
-    Raises:
-        InvalidError: the draft is no study yet; where.problems says why.
-    """
-    definition = _shown(db, access)
-    return session_views.preview(db, definition, language or definition.languages[0], part)
-
-
-def preview_motion(
-    db: Session, access: Access, index: int, values: Mapping[str, float], part: str | None
-) -> Made:
-    """The motion that the sliders of a preview's step make.
-
-    Raises:
-        InvalidError: as `preview`, or the step matches nothing.
-        ConflictError: the step is a guess.
-    """
-    definition = _shown(db, access)
-    steps = planned_steps(session_views.preview_plan(definition, part))
-    return matching.made_in(db, definition, steps, index, values)
-
-
-def preview_welcome(db: Session, access: Access, language: Language | None) -> WelcomePage:
-    """What a participant would read first.
-
-    Raises:
-        InvalidError: the draft is no study yet; where.problems says why.
-    """
-    definition = _shown(db, access)
-    spoken = language or definition.languages[0]
-    return WelcomePage(definition.into(spoken), spoken, studies.example_clip(db, definition))
-
-
-def _shown(db: Session, access: Access) -> StudyDefinition:
-    """What is being edited, with clips that stand in for those that are not made yet."""
-    definition, _, found = study_files.examine(content(db, studies.find(db, access.slug)))
-    if definition is None or not _can_be_shown(found):
-        raise InvalidError(
-            "The preview waits until nothing is missing.",
-            code="study_incomplete",
-            where={"problems": [problem.model_dump() for problem in found]},
-        )
-    return study_stimuli.shown(db, definition)
 
 
 def _consent_problems(newest: StudyVersion | None, definition: StudyDefinition) -> list[Problem]:
