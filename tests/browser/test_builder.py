@@ -58,8 +58,8 @@ def saved(page: Page) -> None:
     expect(page.locator(".saved")).to_have_text("Saved")
 
 
-def part_names(page: Page) -> list[str]:
-    return page.locator(".parts > ol .part > span:first-child").all_inner_texts()
+def has_parts(page: Page, *names: str) -> None:
+    expect(page.locator(".parts > ol .part > span:first-child")).to_have_text(names)
 
 
 def test_a_study_is_made_by_keyboard_alone_published_and_taken(
@@ -82,9 +82,9 @@ def test_a_study_is_made_by_keyboard_alone_published_and_taken(
     add(page, "Break")
     button(page, "Move “Break”").press("ArrowUp")
     expect(page.locator(".parts > ol .part").nth(1)).to_contain_text("Break")
-    assert part_names(page) == ["Opposite words", "Break", "Last words"]
+    has_parts(page, "Opposite words", "Break", "Last words")
     button(page, "Duplicate").press("Enter")
-    assert part_names(page) == ["Opposite words", "Break", "Break 2", "Last words"]
+    has_parts(page, "Opposite words", "Break", "Break 2", "Last words")
     page.keyboard.press("Control+z")
     expect(page.locator(".parts > ol .part")).to_have_count(3)
     expect(page.get_by_text("to mend before publishing")).to_be_hidden()
@@ -102,6 +102,46 @@ def test_a_study_is_made_by_keyboard_alone_published_and_taken(
     page.keyboard.press("Escape")
     page.goto(f"{server.url}/studies/gaits-by-hand")
     expect(page.get_by_role("heading", name="How does this movement seem to you?")).to_be_visible()
+    clips_chosen_in_the_library_come_into_it(page, server)
+
+
+def clips_chosen_in_the_library_come_into_it(page: Page, server: Server) -> None:
+    page.goto(f"{server.url}/library")
+    button(page, "Choose clips").press("Enter")
+    page.get_by_placeholder("Name, style or tag").fill("set A")
+    for index in range(2):
+        page.locator(".clip-card").nth(index).press("Enter")
+    bar = page.get_by_role("group", name="What is chosen")
+    expect(bar).to_contain_text("2 clips chosen")
+    button(page, "Use in a study").press("Enter")
+    dialog = page.get_by_role("dialog", name="Use in a study")
+    ours = dialog.get_by_role("button", name="Gaits by hand")
+    expect(ours).to_contain_text("3 clips · English · open, for version 2")
+    assert violations(page) == []
+    expect(ours).to_be_focused()
+    ours.press("Enter")
+    expect(dialog.get_by_role("heading", name="Added to Gaits by hand")).to_be_visible()
+    expect(dialog.get_by_role("link", name="Open its clips")).to_be_focused()
+    page.keyboard.press("Escape")
+    button(page, "Use in a study").press("Enter")
+    ours.press("Enter")
+    expect(dialog.get_by_role("alert")).to_contain_text(
+        "All 2 clips are in “Gaits by hand” already"
+    )
+    page.goto(f"{server.url}/research/studies/gaits-by-hand/edit#opposite_words/stimuli")
+    expect(page.locator(".stimuli motion-thumbnail")).to_have_count(5)
+    expect(page.get_by_role("group", name="Clips · 5")).to_be_focused()
+    page.get_by_role("button", name="Look at").last.press("Enter")
+    look = page.locator(".stimulus-dialog")
+    page.wait_for_function(
+        "() => document.querySelector('.stimulus-dialog motion-viewer')?.duration > 0"
+    )
+    look.get_by_label("Name in the results").fill("the last one")
+    expect(look.get_by_role("heading", name="the last one")).to_be_visible()
+    assert violations(page) == []
+    page.keyboard.press("Escape")
+    expect(page.locator(".stimulus-name").last).to_have_text("the last one")
+    saved(page)
 
 
 def test_what_is_missing_is_told_at_its_field_and_in_the_list(
