@@ -25,6 +25,7 @@ _CLIP: JsonDict = {
     "glb_url": "/media/5d41402abc4b2a76b9719d911017c5925d41402abc4b2a76b9719d911017c592.glb",
     "figure_url": "/media/7d793037a0760186574b0282f2f435e77d793037a0760186574b0282f2f435e7.glb",
     "recipe_source": None,
+    "variant_of": None,
     "page_url": "/library/0f4c2b5f4a0c4b0fb5ac9d5bb5a3c5d7d9d9a9b75b9cbe9b8c1f6a4b6a0e9d11",
 }
 
@@ -116,6 +117,8 @@ class ClipView(BaseModel):
 
     Attributes:
         skeleton_hash: the same for all clips that move one skeleton.
+        recipe_source: id of the clip that its recipe begins with; variant_of: the same, unless the
+            recipe makes something else of it: a motion on another body, or a mix of several.
     """
 
     model_config = ConfigDict(json_schema_extra={"example": _CLIP})
@@ -136,6 +139,7 @@ class ClipView(BaseModel):
     figure_url: str | None
     page_url: str
     recipe_source: str | None
+    variant_of: str | None
 
 
 class Step(BaseModel):

@@ -17,6 +17,8 @@ from app.services.studies import media_url
 if TYPE_CHECKING:  # it brings SciPy, for which the server's start shall not wait
     from app.services.clip_files import ClipFiles
 
+# A motion on another body, or of several motions, is a variant of none of them.
+ORIGINS = ("retarget@", "blend@")
 NEEDS = (
     (
         clips.is_in_use,
@@ -182,8 +184,13 @@ def view(clip: ClipRecord, figure: str | None) -> ClipView:
             "glb_url": media_url(clip.glb_blob),
             "figure_url": figure and media_url(figure),
             "page_url": f"/library/{clip.id}",
+            "variant_of": None if _is_origin(clip) else clip.recipe_source,
         }
     )
+
+
+def _is_origin(clip: ClipRecord) -> bool:
+    return any(step["operation"].startswith(ORIGINS) for step in clip.recipe or ())
 
 
 def _refuse_while_needed(db: Session, clip_id: str) -> None:

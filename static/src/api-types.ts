@@ -2076,6 +2076,8 @@ export interface components {
             page_url: string;
             /** Recipe Source */
             recipe_source: string | null;
+            /** Variant Of */
+            variant_of: string | null;
             report: components["schemas"]["ImportReport"] | null;
             provenance: components["schemas"]["Provenance"] | null;
             quality: components["schemas"]["QualityReport"] | null;
@@ -2148,6 +2150,8 @@ export interface components {
             page_url: string;
             /** Recipe Source */
             recipe_source: string | null;
+            /** Variant Of */
+            variant_of: string | null;
             report: components["schemas"]["ImportReport"] | null;
             provenance: components["schemas"]["Provenance"] | null;
             quality: components["schemas"]["QualityReport"] | null;
@@ -2197,6 +2201,8 @@ export interface components {
          *
          *     Attributes:
          *         skeleton_hash: the same for all clips that move one skeleton.
+         *         recipe_source: id of the clip that its recipe begins with; variant_of: the same, unless the
+         *             recipe makes something else of it: a motion on another body, or a mix of several.
          * @example {
          *       "cyclic": true,
          *       "duration": 1.6,
@@ -2262,6 +2268,8 @@ export interface components {
             page_url: string;
             /** Recipe Source */
             recipe_source: string | null;
+            /** Variant Of */
+            variant_of: string | null;
         };
         /**
          * ClipsAdded

@@ -17,7 +17,7 @@ TEMPLATES = sorted(
     path for pattern in messages.TEMPLATES for path in (PROJECT / "templates").glob(pattern)
 )
 # The sides of a phrase that only researchers see.
-FOR_RESEARCHERS = {"Sign in", "To the first page", "Motion library"}
+FOR_RESEARCHERS = {"To your studies", "To the first page", "Motion library"}
 SAID_TO_PARTICIPANTS = (
     "services/sessions.py", "services/session_views.py", "services/answers.py",
     "services/answer_checks.py", "services/studies.py", "services/plans.py",

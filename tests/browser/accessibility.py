@@ -12,8 +12,8 @@ SETTLED = """() => Promise.allSettled(document.getAnimations()
   .filter((one) => one instanceof CSSTransition).map((one) => one.finished))"""
 
 
-def violations(page: Page) -> list[dict[str, Any]]:
-    """The rules that the page breaks, once no control is changing its look."""
+def access_faults(page: Page) -> list[str]:
+    """Every rule that the page breaks, with the place, once no control is changing its look."""
     page.evaluate(SETTLED)
     found: list[dict[str, Any]] = Axe().run(page).response["violations"]
-    return found
+    return [f"{fault['id']}: {node['html'][:200]}" for fault in found for node in fault["nodes"]]

@@ -98,6 +98,15 @@ def research_page(server: Server, page: Page) -> Page:
     return page
 
 
+@pytest.fixture
+def faults(page: Page) -> list[str]:
+    """What the browser complains of, breaches of the content policy among it."""
+    seen: list[str] = []
+    page.on("pageerror", lambda error: seen.append(str(error)))
+    page.on("console", lambda told: seen.append(told.text) if told.type == "error" else None)
+    return seen
+
+
 def set_up_researcher(page: Page, server: Server) -> None:
     """Follow the set-up link and make the first researcher's account, as a person does."""
     page.goto(server.set_up_link)

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 from playwright.sync_api import BrowserContext, Locator, Page, expect
 
-from tests.browser.accessibility import violations
 from tests.support.server import Server
 
 STUDY = "/studies/emotion-in-walking"
@@ -106,17 +105,6 @@ def stored(server: Server) -> list[Row]:
     return [
         Row(trial, revision, _steps(json.loads(answers)), comment, rt_ms, json.loads(record))
         for trial, revision, answers, comment, rt_ms, record in found
-    ]
-
-
-def grave_faults(page: Page) -> list[str]:
-    """What axe calls serious or critical, with the places."""
-    found = violations(page)
-    return [
-        f"{fault['id']}: {node['html']}"
-        for fault in found
-        if fault["impact"] in ("serious", "critical")
-        for node in fault["nodes"]
     ]
 
 

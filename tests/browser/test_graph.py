@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
 from motion.rotations import angle_between
-from tests.browser.accessibility import violations
+from tests.browser.accessibility import access_faults
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.support.server import Server
 
@@ -253,19 +253,9 @@ def test_axe_finds_nothing_grave_on_the_pages_of_graphs(
     page.goto(server.url + "/graphs")
     page.get_by_role("button", name="New graph").click()
     expect(page.get_by_role("checkbox").first).to_be_visible()
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     page.goto(server.url + "/graphs/sample")
     page.get_by_role("button", name="Copy and change").click()
     expect(page.get_by_role("form", name="Add a transition")).to_be_visible()
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-
-
-def grave_faults(page: Page) -> list[str]:
-    found = violations(page)
-    return [
-        f"{fault['id']}: {node['html'][:200]}"
-        for fault in found
-        if fault["impact"] in ("serious", "critical")
-        for node in fault["nodes"]
-    ]

@@ -17,8 +17,8 @@ from app.persistence.models import StudyMember
 from app.services import command_line_studies, study_files
 from app.studies import TEMPLATES
 from app.studies.simulated_impressions import simulated_ratings
+from tests.browser.accessibility import access_faults
 from tests.browser.conftest import DESKTOP, PHONE
-from tests.browser.participant import grave_faults
 from tests.support import rated_pairs
 from tests.support.server import Server
 
@@ -34,15 +34,6 @@ def database(server: Server) -> Iterator[Database]:
     engine = make_engine(f"sqlite:///{server.data_directory / 'manner.sqlite3'}")
     yield Database(engine)
     engine.dispose()
-
-
-@pytest.fixture
-def faults(page: Page) -> list[str]:
-    """What the browser complains of, breaches of the content policy among it."""
-    seen: list[str] = []
-    page.on("pageerror", lambda error: seen.append(str(error)))
-    page.on("console", lambda told: seen.append(told.text) if told.type == "error" else None)
-    return seen
 
 
 @pytest.fixture
@@ -240,7 +231,7 @@ def test_axe_finds_nothing_grave_and_nothing_is_wider_than_the_screen(
     for button in page.get_by_role("button", name="Show numbers").all():
         button.click()
     expect(page.locator(".heat.numbers")).to_be_visible()
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 

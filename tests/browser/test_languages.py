@@ -8,8 +8,8 @@ from playwright.sync_api import Browser, Page, expect
 from app import messages
 from app.persistence.engine import Database, make_engine
 from app.persistence.models import ClipRecord
+from tests.browser.accessibility import access_faults
 from tests.browser.participant import keep_still
-from tests.browser.test_participant_access import grave_faults
 from tests.support.published import add_published
 from tests.support.server import Server
 from tests.support.three_languages import HEADINGS, SLUG, THANKS, three_languages
@@ -80,7 +80,7 @@ def test_a_study_can_be_taken_from_welcome_to_thanks(page: Page, study: str, lan
     def look(where: str) -> None:
         expect(page.locator("html")).to_have_attribute("lang", language)
         assert language == "en" or in_english(page) == [], where
-        assert grave_faults(page) == [], where
+        assert access_faults(page) == [], where
 
     page.goto(study)
     page.get_by_role("link", name=name).focus()

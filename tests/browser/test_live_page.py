@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 
 from app.persistence.engine import Database, make_engine
 from app.studies import emotion
-from tests.browser.accessibility import violations
+from tests.browser.accessibility import access_faults
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.support.server import Server
 from tests.support.simulate import take_part
@@ -43,11 +43,6 @@ def come(server: Server, seed: int, answered: int | None = None) -> None:
 
 def number(page: Page, word: str) -> Any:
     return page.locator(".key-numbers > div", has_text=word).locator("dd")
-
-
-def grave_faults(page: Page) -> list[str]:
-    found = violations(page)
-    return [f"{fault['id']}: {node['html'][:200]}" for fault in found for node in fault["nodes"]]
 
 
 def test_the_page_follows_by_itself(research_page: Page, server: Server) -> None:
@@ -130,4 +125,4 @@ def test_nothing_is_wide_or_hard_to_reach(
             page.locator("table.people tbody a").first.click()
             expect(page.locator("#stage motion-viewer")).to_be_visible(timeout=PATIENT)
         assert page.evaluate("document.documentElement.scrollWidth") <= size["width"], place
-        assert grave_faults(page) == [], place
+        assert access_faults(page) == [], place

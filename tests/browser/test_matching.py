@@ -20,7 +20,8 @@ from app.services.space_motion import Prepared
 from motion.blending.distance import matching_distance
 from motion.storage import clip_from_bytes
 from tests.browser import test_builder as builder
-from tests.browser.participant import grave_faults, keep_still
+from tests.browser.accessibility import access_faults
+from tests.browser.participant import keep_still
 from tests.support.server import Server
 from tests.support.study_files import CONSENT, TEXTS, THANKS
 
@@ -149,12 +150,12 @@ def test_a_slider_moved_by_the_keyboard_makes_them_alike(
 ) -> None:
     begin(page, matching(threshold=BETWEEN))
     expect(page.locator(".next")).to_be_disabled()
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     page.get_by_role("button", name="Show all examples").click()
     examples = page.get_by_role("dialog", name="All examples")
     expect(examples.locator(".cell-head")).to_have_text(["1", "2", "3"])
     expect(examples.locator("motion-figure")).to_have_count(3)
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     page.keyboard.press("Escape")
     press(page, 2, "End")
     expect(page.locator(".match-outcome")).to_contain_text("It matches. It took", timeout=LONG)
@@ -248,7 +249,7 @@ def test_a_guess_shows_no_blue_figure_and_rests_once_it_is_given(
     expect(slider(page, 1)).to_be_enabled(timeout=LONG)
     expect(slider(page, 1)).to_have_value("0.5")
     expect(page.locator("motion-figure")).to_have_count(2)
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     assert page.evaluate(TOO_SMALL) == []
     assert page.evaluate("document.documentElement.scrollHeight") <= PHONE["height"]
     page.locator(".back").click()
@@ -300,7 +301,7 @@ def test_a_researcher_makes_a_matching_part_without_code(
     page.get_by_label("How many").last.fill("2")
     draw.last.click()
     expect(page.locator(".stimulus-name")).to_have_text(["Target 1", "Target 2"], timeout=LONG)
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     builder.saved(page)
     [[draft]] = rows(server, "select draft from studies where title = 'Which sliders?'")
     part = json.loads(draft)["parts"][0]

@@ -7,11 +7,11 @@ import gzip
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from tests.browser.accessibility import access_faults
 from tests.browser.participant import (
     STUDY,
     answer,
     begin,
-    grave_faults,
     keep_still,
     wait_until_saved,
 )
@@ -39,24 +39,24 @@ def test_axe_finds_nothing_grave_on_any_page_of_a_participant(page: Page, server
     page.set_viewport_size({"width": size[0], "height": size[1]})
     page.goto(server.url + STUDY)
     expect(page.get_by_role("button", name="Begin")).to_be_visible()
-    assert grave_faults(page) == [], "welcome"
+    assert access_faults(page) == [], "welcome"
     link = begin(page, server)
-    assert grave_faults(page) == [], "a trial"
+    assert access_faults(page) == [], "a trial"
     answer(page, 0)
     wait_until_saved(page)
     page.context.set_offline(True)
     expect(page.get_by_text("No connection.")).to_be_visible()
-    assert grave_faults(page) == [], "a trial without a connection"
+    assert access_faults(page) == [], "a trial without a connection"
     page.context.set_offline(False)
     other = page.context.new_page()
     other.goto(link + "/withdraw")
-    assert grave_faults(other) == [], "asking before deleting"
+    assert access_faults(other) == [], "asking before deleting"
     other.goto(link)
     expect(page.get_by_role("button", name="Continue here")).to_be_visible()
-    assert grave_faults(page) == [], "the tab that does not count"
+    assert access_faults(page) == [], "the tab that does not count"
     other.goto(link + "/withdraw")
     other.get_by_role("button", name="Delete my answers").click()
-    assert grave_faults(other) == [], "deleted"
+    assert access_faults(other) == [], "deleted"
 
 
 @SIZES
@@ -65,7 +65,7 @@ def test_axe_finds_nothing_grave_on_the_thanks_page(page: Page, server: Server, 
     finish_by_request(page, begin(page, server))
     page.reload()
     page.wait_for_url("**/thanks")
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
 
 
 def test_a_finished_study_shows_its_code_again_by_the_same_link(page: Page, server: Server):

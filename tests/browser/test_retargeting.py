@@ -7,7 +7,7 @@ import re
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.accessibility import violations
+from tests.browser.accessibility import access_faults
 from tests.browser.conftest import PHONE
 from tests.support.other_bodies import stranger, stranger_bvh
 from tests.support.server import Server
@@ -15,15 +15,6 @@ from tests.support.server import Server
 pytestmark = pytest.mark.browser
 
 PATIENCE = 90_000  # ms: the first motion of a server waits for a process to start
-
-
-@pytest.fixture
-def faults(page: Page) -> list[str]:
-    """What the browser complains of, breaches of the content policy among it."""
-    seen: list[str] = []
-    page.on("pageerror", lambda error: seen.append(str(error)))
-    page.on("console", lambda told: seen.append(told.text) if told.type == "error" else None)
-    return seen
 
 
 @pytest.fixture
@@ -55,11 +46,6 @@ def keep(report: Locator, server: Server) -> str:
     return str(next(clip["id"] for clip in clips if clip["name"] == "stranger"))
 
 
-def faults_of_access(page: Page) -> list[str]:
-    found = violations(page)
-    return [f"{fault['id']}: {node['html'][:200]}" for fault in found for node in fault["nodes"]]
-
-
 def test_an_imported_walk_is_put_onto_a_common_body_and_mixed_with_its_clips(
     report: Locator, server: Server, faults: list[str]
 ):
@@ -80,7 +66,7 @@ def test_an_imported_walk_is_put_onto_a_common_body_and_mixed_with_its_clips(
         arg=stranger().duration / 2,
         timeout=PATIENCE,
     )
-    assert faults_of_access(page) == []
+    assert access_faults(page) == []
     dialog.get_by_label("Name").fill("short walker")
     dialog.get_by_role("button", name="Make the clip").click()
     show = dialog.get_by_role("link", name="Show it")
@@ -124,7 +110,7 @@ def test_the_way_of_a_refused_clip_opens_on_the_body_that_was_asked_for(
     assert told
     assert name
     assert told["y"] + told["height"] <= name["y"]
-    assert faults_of_access(page) == []
+    assert access_faults(page) == []
     dialog.get_by_label("acted_male_sad").press("ArrowDown")
     expect(dialog.get_by_label("acted_male_sad")).not_to_be_checked()
     tried(page)

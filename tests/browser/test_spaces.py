@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
-from tests.browser.accessibility import violations
+from tests.browser.accessibility import access_faults
 from tests.browser.conftest import PHONE
 from tests.support.server import Server
 
@@ -16,15 +16,6 @@ pytestmark = pytest.mark.browser
 
 PATIENCE = 90_000  # ms: the first motion of a space prepares all its examples
 DEMONSTRATION = "Walks of set A (simulated raters)"
-
-
-@pytest.fixture
-def faults(page: Page) -> list[str]:
-    """What the browser complains of, breaches of the content policy among it."""
-    seen: list[str] = []
-    page.on("pageerror", lambda error: seen.append(str(error)))
-    page.on("console", lambda told: seen.append(told.text) if told.type == "error" else None)
-    return seen
 
 
 @pytest.fixture
@@ -71,11 +62,6 @@ def press(page: Page, slider: Locator, key: str, times: int) -> None:
 
 def clips(page: Page, server: Server) -> list[dict[str, Any]]:
     return list(page.request.get(server.url + "/api/v1/clips").json()["clips"])
-
-
-def grave_faults(page: Page) -> list[str]:
-    found = violations(page)
-    return [f"{fault['id']}: {node['html'][:200]}" for fault in found for node in fault["nodes"]]
 
 
 def test_a_slider_changes_the_mix_and_the_motion_and_undo_brings_both_back(
@@ -208,6 +194,13 @@ def test_what_is_saved_is_an_ordinary_clip_made_by_a_recipe(space: Page, server:
     (clip,) = (one for one in clips(page, server) if one["name"] == "as large as I like it")
     detail = page.request.get(f"{server.url}/api/v1/clips/{clip['id']}").json()
     assert [step["operation"] for step in detail["provenance"]["recipe"]] == ["blend@1"]
+    assert detail["variant_of"] is None
+    page.get_by_role("button", name="Use in a study").click()
+    into = page.get_by_role("dialog", name="Use in a study")
+    into.get_by_label("Title").fill("As large as it gets")
+    into.get_by_role("button", name="Begin").click()
+    expect(into.get_by_role("link", name="Open its clips")).to_be_focused()
+    page.keyboard.press("Escape")
     link.click()
     expect(page.get_by_role("heading", name="Studio: as large as I like it")).to_be_attached()
     expect(page.get_by_text(re.compile("from as large as I like it, a mix of"))).to_be_visible()
@@ -237,7 +230,7 @@ def test_events_that_are_moved_make_the_next_version(space: Page, server: Server
     page.get_by_role("button", name=f"Delete {DEMONSTRATION}, version 2").press("Enter")
     question = page.get_by_role("dialog", name=f"Delete “{DEMONSTRATION}”, version 2")
     expect(question.get_by_role("button", name="Keep it")).to_be_focused()
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     question.get_by_role("button", name="Delete").click()
     expect(page.get_by_text("version 2, is deleted")).to_be_visible()
     expect(page.get_by_role("heading", name="Spaces")).to_be_focused()
@@ -314,13 +307,13 @@ def test_the_pages_are_accessible_at_both_sizes(space: Page, server: Server, mod
     page.emulate_media(color_scheme=mode)
     mix(page).locator(".weight-name").first.click()
     expect(page.get_by_role("slider", name="right off")).to_be_visible()
-    assert grave_faults(page) == []
+    assert access_faults(page) == []
     page.set_viewport_size(PHONE)
     for drawer in ("Feel", "Mix"):
         page.get_by_role("button", name=drawer, exact=True).click()
-        assert grave_faults(page) == []
+        assert access_faults(page) == []
     width = page.evaluate("document.documentElement.scrollWidth")
     assert width <= PHONE["width"]
     page.goto(server.url + "/studio/spaces")
     expect(page.get_by_role("link", name=DEMONSTRATION)).to_be_visible()
-    assert grave_faults(page) == []
+    assert access_faults(page) == []

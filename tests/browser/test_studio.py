@@ -16,7 +16,7 @@ from playwright.sync_api import Locator, Page, expect
 from scipy.spatial.transform import Rotation
 
 from motion.bvh import read_bvh
-from tests.browser.accessibility import violations
+from tests.browser.accessibility import access_faults
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.motion.test_glb import run_node
 from tests.support.server import Server
@@ -27,15 +27,6 @@ Array = NDArray[np.float64]
 PATIENCE = 90_000  # ms: the first motion of a clip starts a process that computes
 NEUTRAL = "path 1.00, as it is; timing 1.00, as it is"
 VIEWER = "document.querySelector('motion-viewer')"
-
-
-@pytest.fixture
-def faults(page: Page) -> list[str]:
-    """What the browser complains of, breaches of the content policy among it."""
-    seen: list[str] = []
-    page.on("pageerror", lambda error: seen.append(str(error)))
-    page.on("console", lambda told: seen.append(told.text) if told.type == "error" else None)
-    return seen
 
 
 @pytest.fixture
@@ -97,11 +88,6 @@ def drag_across_pad(page: Page) -> None:
     page.mouse.down()
     page.mouse.move(box["x"] + box["width"] * 0.8, box["y"] + box["height"] * 0.2, steps=8)
     page.mouse.up()
-
-
-def grave_faults(page: Page) -> list[str]:
-    found = violations(page)
-    return [f"{fault['id']}: {node['html'][:200]}" for fault in found for node in fault["nodes"]]
 
 
 def test_a_preset_a_drag_undo_and_redo_are_what_the_stage_shows(studio: Page, faults: list[str]):
@@ -296,7 +282,7 @@ def test_the_copied_calls_make_the_same_clip_with_a_key(studio: Page, server: Se
     calls = []
     for name in ("Copy as curl call", "Copy as Python"):
         page.get_by_role("button", name=name).click()
-        expect(page.locator(".exports [role=status]")).to_contain_text("copied")
+        expect(page.locator(".exports header [role=status]")).to_contain_text("copied")
         calls.append(page.evaluate("navigator.clipboard.readText()"))
     curl, program = calls
     page.get_by_role("button", name="Save").click()
@@ -331,8 +317,8 @@ def test_axe_finds_nothing_in_the_studio_and_nothing_is_cut_off(
             page.get_by_role("button", name=name, exact=True).click()
         for summary in page.locator("summary:visible").all():
             summary.click()
-        assert grave_faults(page) == [], name
+        assert access_faults(page) == [], name
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), name
     page.goto(server.url + "/studio")
     expect(page.get_by_role("dialog").locator(".clip-card").first).to_be_visible(timeout=PATIENCE)
-    assert grave_faults(page) == [], "picker"
+    assert access_faults(page) == [], "picker"

@@ -17,7 +17,8 @@ from app.persistence.engine import Database, make_engine
 from app.schemas.study import LANGUAGES
 from app.services import command_line_studies, study_files
 from app.studies import TEMPLATES
-from tests.browser.participant import grave_faults, keep_still
+from tests.browser.accessibility import access_faults
+from tests.browser.participant import keep_still
 from tests.support.server import Server
 
 pytestmark = pytest.mark.browser
@@ -103,7 +104,7 @@ def take_part(page: Page, address: str, language: str, *, axe: bool = True) -> l
     """Go from the welcome to the thanks; the kinds of the steps on the way."""
     page.goto(f"{address}?lang={language}")
     expect(page.locator("html")).to_have_attribute("lang", language)
-    assert not axe or grave_faults(page) == []
+    assert not axe or access_faults(page) == []
     page.get_by_role("checkbox").check()
     page.locator("form button[type=submit]").first.click()
     page.wait_for_url("**/take/*", timeout=LONG)
@@ -116,7 +117,7 @@ def take_part(page: Page, address: str, language: str, *, axe: bool = True) -> l
         expect(page.locator(".back")).to_be_enabled(timeout=LONG)
         if kind not in seen:
             seen.add(kind)
-            assert not axe or grave_faults(page) == [], kind
+            assert not axe or access_faults(page) == [], kind
             overflow = page.evaluate("document.documentElement.scrollWidth - innerWidth")
             assert overflow <= 0, kind
         answer(page, kind)

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from app.persistence.engine import Database, make_engine
-from tests.browser.accessibility import violations
+from tests.browser.accessibility import access_faults
 from tests.browser.conftest import DESKTOP, PHONE
 from tests.support.server import Server
 from tests.support.simulate import simulate
@@ -17,15 +17,6 @@ from tests.support.simulate import simulate
 pytestmark = pytest.mark.browser
 
 RESULTS = "/research/studies/emotion-in-walking"
-
-
-@pytest.fixture
-def faults(page: Page) -> list[str]:
-    """What the browser complains of, breaches of the content policy among it."""
-    seen: list[str] = []
-    page.on("pageerror", lambda error: seen.append(str(error)))
-    page.on("console", lambda told: seen.append(told.text) if told.type == "error" else None)
-    return seen
 
 
 @pytest.fixture
@@ -61,16 +52,6 @@ def choose(page: Page, name: str, text: str) -> None:
     page.locator("input[type=file]").set_input_files(file)
 
 
-def grave_faults(page: Page) -> list[str]:
-    found = violations(page)
-    return [
-        f"{fault['id']}: {node['html'][:200]}"
-        for fault in found
-        if fault["impact"] in ("serious", "critical")
-        for node in fault["nodes"]
-    ]
-
-
 @pytest.mark.parametrize(("size", "scheme"), [(DESKTOP, "light"), (PHONE, "dark")], ids=str)
 def test_axe_finds_nothing_grave_on_any_page_of_a_researcher(
     library: Page, server: Server, size, scheme
@@ -82,11 +63,11 @@ def test_axe_finds_nothing_grave_on_any_page_of_a_researcher(
     clip = page.locator(".clip-card").first.get_attribute("href")
     choose(page, "walk.bvh", sample_bvh(page, server))
     expect(page.get_by_role("button", name="Yes, keep it")).to_be_visible(timeout=60_000)
-    assert grave_faults(page) == [], "import report"
+    assert access_faults(page) == [], "import report"
     for path in ("/", "/library", clip, "/research", RESULTS, "/no-webgl", "/nothing-here"):
         page.goto(server.url + path)
         expect(page.get_by_role("heading").first).to_be_visible()
-        assert grave_faults(page) == [], path
+        assert access_faults(page) == [], path
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), path
 
 

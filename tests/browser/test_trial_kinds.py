@@ -10,8 +10,9 @@ from itertools import pairwise
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
+from tests.browser.accessibility import access_faults
 from tests.browser.every_kind import SLUG, TASKS, add_every_kind
-from tests.browser.participant import grave_faults, keep_still, tab_to
+from tests.browser.participant import keep_still, tab_to
 from tests.support.server import Server
 
 pytestmark = pytest.mark.browser
@@ -274,7 +275,7 @@ class Steps:
         self.index = 0
 
     def done(self) -> None:
-        assert grave_faults(self.page) == []
+        assert access_faults(self.page) == []
         assert self.page.evaluate(TOO_SMALL) == []
         overflow = self.page.evaluate("document.documentElement.scrollWidth - innerWidth")
         assert overflow <= 0

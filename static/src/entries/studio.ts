@@ -3,5 +3,4 @@ import "../styles/dialogs.css";
 import "../styles/studio.css";
 import "../styles/time-strip.css";
 import "../viewer";
-import "../builder/use_in_study";
 import "../studio/motion_studio";

@@ -5,7 +5,7 @@ import type { Clip } from "./model";
 
 const clip = (id: string, skeleton: string, more: Partial<Clip> = {}): Clip => ({
   id, name: id, tags: {}, source: "sample", state: "kept", frames: 31, frame_time: 1 / 30, duration: 1.5, cyclic: false,
-  stature: 1.5, poster_time: 0, skeleton_hash: skeleton, glb_url: "", figure_url: "", page_url: "", recipe_source: null, ...more,
+  stature: 1.5, poster_time: 0, skeleton_hash: skeleton, glb_url: "", figure_url: "", page_url: "", recipe_source: null, variant_of: null, ...more,
 });
 const body = (id: string, clips: number): Body => ({ id, clips, example: clip(`${id}_walk`, id, { stature: 1.74 }) });
 const all = [body("adult", 42), body("child", 1)];

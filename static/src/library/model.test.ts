@@ -5,6 +5,7 @@ const clip = (name: string, tags: Record<string, string>, more: Partial<Clip> = 
   id: name, name, tags, source: "sample", state: "kept", frames: 31, frame_time: 1 / 30, duration: 1,
   cyclic: true, stature: 1.6, poster_time: 0, skeleton_hash: "", glb_url: "", figure_url: "", page_url: "",
   recipe_source: null,
+  variant_of: null,
   ...more,
 });
 const clips = [

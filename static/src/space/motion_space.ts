@@ -79,8 +79,8 @@ export class MotionSpace extends Workbench<SpaceSession> {
     session?.move(change(session.place), control);
   }
 
-  private save(): Promise<void> {
-    return this.attempt(async () => void (await this.session!.save()));
+  private save(): Promise<string | undefined> {
+    return this.attempt(() => this.session!.save());
   }
 
   private download(suffix: Suffix): Promise<void> {
@@ -144,6 +144,7 @@ export class MotionSpace extends Workbench<SpaceSession> {
       variant: async () => ({ ...(await this.session!.recipe()), name: this.session!.name || this.session!.suggestedName }),
       download: (suffix) => void this.download(suffix),
       copied: (words) => (this.said = words),
+      saved: async () => [await this.save()].filter((id) => id !== undefined),
     };
   }
 

@@ -1,6 +1,7 @@
-// Ways to take a motion along: as a file, as its recipe, as a call of the API.
+// Ways to take a motion along: as a file, as its recipe, as a call of the API, into a study.
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
+import "../builder/use_in_study";
 import { asCurl, asPython, asRecipe, type Variant } from "./exports";
 
 export type Suffix = "bvh" | "glb" | "json";
@@ -10,11 +11,13 @@ export interface ExportActs {
   variant(): Promise<Variant>;
   download(suffix: Suffix): void;
   copied(text: string): void;
+  /** The clip that is on the stage, saved first; none where it cannot be. */
+  saved(): Promise<readonly string[]>;
 }
 
-/** `said`: what was copied, in words. `more` stands at the end. */
+/** `said`: what was copied, in words. `more` stands beside its use in a study. */
 export function exportPanel(
-  { said, busy }: { said: string; busy: boolean }, { variant, download, copied }: ExportActs, more: TemplateResult | typeof nothing = nothing,
+  { said, busy }: { said: string; busy: boolean }, { variant, download, copied, saved }: ExportActs, more: TemplateResult | typeof nothing = nothing,
 ): TemplateResult {
   const copy = (write: (variant: Variant) => string, what: string) => async () => {
     await navigator.clipboard.writeText(write(await variant()));
@@ -30,5 +33,6 @@ export function exportPanel(
       <li><button class="link-button" type="button" @click=${copy((one) => asCurl(one, server), "Call")}>${icon("copy")}Copy as curl call</button></li>
       <li><button class="link-button" type="button" @click=${copy((one) => asPython(one, server), "Program")}>${icon("copy")}Copy as Python</button></li>
     </ul>
-    <p class="hint">The calls read an <a href="/research/keys">API key</a> from MANNER_KEY.</p>${more}</section>`;
+    <p class="hint">The calls read an <a href="/research/keys">API key</a> from MANNER_KEY.</p>
+    <div class="make-of-it"><use-in-study look="link-button make-set" .ids=${saved} ?disabled=${busy}></use-in-study>${more}</div></section>`;
 }

@@ -7,7 +7,7 @@ import { dropDraft } from "./draft";
 import { mixOf, type Mix } from "./mix";
 import { movementPanel, type NamedPose, type Offers } from "./movement_panel";
 import type { ClipPicker } from "./picker";
-import { isOrigin, type Steps } from "./recipe";
+import type { Steps } from "./recipe";
 import { resultPanel, type ResultActs } from "./result_panel";
 import * as server from "./server";
 import { Session } from "./session";
@@ -61,8 +61,8 @@ export class MotionStudio extends Workbench<Session> {
   /** Open a clip: one to begin from as it is, an edited one as the recipe that made it. */
   private async open(id: string): Promise<void> {
     const found = await server.clipOf(id);
-    const opened = isOrigin(server.stepsOf(found.provenance?.recipe ?? [])) ? { ...found, provenance: null } : found;
-    const source = opened.provenance ? await server.clipOf(opened.provenance.source) : found;
+    const opened = found.variant_of ? found : { ...found, provenance: null };
+    const source = found.variant_of ? await server.clipOf(found.variant_of) : found;
     const space = this.session ? this.mix?.space?.id : new URLSearchParams(location.search).get("space");
     this.mix = await mixOf(source, space ?? null);
     const sameStage = this.session?.source.id === source.id;
@@ -139,12 +139,12 @@ export class MotionStudio extends Workbench<Session> {
     });
   }
 
-  private discard({ id, name, recipe_source }: server.Clip): void {
+  private discard({ id, name, variant_of }: server.Clip): void {
     if (!confirm(`Delete “${name}”? It goes from the library too.`)) return;
     void this.attempt(async () => {
       await server.remove(id);
       dropDraft(id);
-      if (id === this.session?.saved.id) await this.open(recipe_source!);
+      if (id === this.session?.saved.id) await this.open(variant_of!);
       this.clips = await server.clips();
     });
   }
@@ -203,7 +203,7 @@ export class MotionStudio extends Workbench<Session> {
 
   /** What was made from the clip on the stage. */
   private get variants(): server.Clip[] {
-    return this.clips.filter(({ recipe_source }) => recipe_source && recipe_source === this.session?.source.id);
+    return this.clips.filter(({ variant_of }) => variant_of && variant_of === this.session?.source.id);
   }
 
   private strip(session: Session): TemplateResult {

@@ -122,9 +122,6 @@ export function mixedOf(steps: Steps): string[] | null {
   return mix ? listOf(mix.parameters.examples).map(({ clip }) => String(clip)) : null;
 }
 
-/** What is edited on from: on another body, or out of several motions, it is no variant of the one that it began with. */
-export const isOrigin = (steps: Steps): boolean => steps.some(({ operation }) => operation === RETARGET || operation === BLEND);
-
 /** Steps without a control of their own, each with its place: a second grid among them. */
 export function extrasOf(steps: Steps): { step: Step; place: number }[] {
   const own = [GRID, POSTURE, BANDS].map((operation) => steps.findIndex((step) => step.operation === operation));

@@ -8,8 +8,6 @@ import type { Session } from "./session";
 import { deleteButton } from "./slider";
 
 export interface ResultActs extends Omit<ExportActs, "variant"> {
-  /** The clip that is on the stage, saved first; none where it cannot be. */
-  saved(): Promise<readonly string[]>;
   seek(finding: Finding): void;
   easeOff(): void;
   open(clip: string): void;
@@ -70,5 +68,5 @@ const exports = (session: Session, { said, busy }: ResultState, { download, copi
     variant: () => Promise.resolve({ source: session.source.id, operations: session.steps, name: session.name || session.suggestedName }),
     download,
     copied,
-  }, html`<div class="make-of-it"><use-in-study look="link-button make-set" .ids=${saved} ?disabled=${busy}></use-in-study>
-    <a class="make-set" href="/research/sets">${icon("sets")}Make a set</a></div>`);
+    saved,
+  }, html`<a class="make-set" href="/research/sets">${icon("sets")}Make a set</a>`);

@@ -57,7 +57,7 @@ def test_an_edited_clip_is_the_recipe_done_to_its_source(
     expected = Recipe.parse(STEPS).apply(walk())
     assert stored.content_hash == expected.content_hash == clip["provenance"]["content_hash"]
     assert (clip["name"], clip["tags"], clip["source"]) == ("sad one", {"emotion": "sad"}, "edited")
-    assert clip["recipe_source"] == SOURCE
+    assert clip["recipe_source"] == clip["variant_of"] == SOURCE
 
 
 def test_the_same_recipe_is_the_same_clip_however_it_is_written(

@@ -82,6 +82,7 @@ def test_what_is_told_is_what_the_recipe_makes(author: Researching, database: Da
     made = author.post("/api/v1/clips", json=recipe).json()
     assert made["skeleton_hash"] == sample(author)["skeleton_hash"]
     assert made["provenance"]["content_hash"] == expected.clip.content_hash
+    assert (made["recipe_source"], made["variant_of"]) == (stranger, None)
     assert told(author, made["id"], body)["same"] is True
 
 
