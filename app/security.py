@@ -9,7 +9,7 @@ from functools import cached_property
 from itsdangerous import BadSignature, URLSafeTimedSerializer
 from limits import RateLimitItem, parse
 from limits.storage import MemoryStorage
-from limits.strategies import MovingWindowRateLimiter
+from limits.strategies import FixedWindowRateLimiter
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.requests import HTTPConnection, Request
@@ -221,5 +221,7 @@ class MotionLimiter:
             )
 
 
-def _brake(rate: str) -> tuple[RateLimitItem, MovingWindowRateLimiter]:
-    return parse(rate), MovingWindowRateLimiter(MemoryStorage())
+def _brake(rate: str) -> tuple[RateLimitItem, FixedWindowRateLimiter]:
+    # Not the moving window: that would keep every name that was ever counted, and anybody can
+    # invent as many tokens as there is memory.
+    return parse(rate), FixedWindowRateLimiter(MemoryStorage())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from app.main import create_app
-from app.security import CONTENT_POLICY
+from app.security import CONTENT_POLICY, MotionLimiter
 from app.settings import Settings
 from tests.app.conftest import PASSWORD, Researching, csrf_token
 
@@ -121,6 +122,20 @@ def test_guessing_passwords_is_stopped_after_the_allowed_attempts(
     right = client.post("/research/sign-in", data=form | {"password": PASSWORD})
     assert right.status_code == 429
     assert "Wait 15 minutes" in right.text
+
+
+def test_made_up_tokens_are_forgotten(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(MotionLimiter, "RATE", "1/1 second")
+    limiter = MotionLimiter()
+    for number in range(1000):
+        limiter.count(f"token {number}")
+    kept = limiter._limiter.storage
+    assert len(kept.storage) > 500
+    end = time.monotonic() + 60
+    while len(kept.storage) + len(kept.events) + len(kept.locks) > 500:
+        assert time.monotonic() < end, "who is counted once is remembered for ever"
+        time.sleep(0.05)
+        limiter.count(f"another at {time.monotonic()}")
 
 
 def test_over_https_cookies_are_secure_and_bound_to_the_host(
