@@ -88,7 +88,7 @@ class StudyDetail(BaseModel):
 
     Attributes:
         draft: the study file as it is being edited; None where it equals the newest version.
-        saved_at: when the draft was last saved.
+        saved_at: when the draft was last saved or, if it never was, the study was made.
         definition: the newest version.
         problems: of the draft; none of them keeps it from being saved.
         can_be_shown: whether the preview can show it in spite of them.
@@ -99,7 +99,7 @@ class StudyDetail(BaseModel):
     state: State
     role: Role
     draft: dict[str, Any] | None
-    saved_at: datetime | None
+    saved_at: datetime
     definition: dict[str, Any] | None
     versions: list[VersionLine]
     running: Running

@@ -79,7 +79,7 @@ def view(db: Session, access: Access) -> StudyDetail:
             "state": study.state,
             "role": access.role,
             "draft": draft,
-            "saved_at": study.draft_saved_at,
+            "saved_at": _saved_at(study),
             "definition": newest and newest.definition,
             "versions": _version_lines(db, study),
             "running": Running.model_validate(study.running),
@@ -105,8 +105,10 @@ def _version_lines(db: Session, study: Study) -> list[VersionLine]:
 
 def content(db: Session, study: Study) -> dict[str, Any]:
     """What is being edited: the draft, or the newest version where there is none."""
+    if study.draft is not None:
+        return study.draft
     newest = store.newest_version(db, study)
-    return study.draft if study.draft is not None else newest.definition if newest else {}
+    return newest.definition if newest else {}
 
 
 def save(
@@ -120,11 +122,11 @@ def save(
     """
     check_storable(draft)
     study = studies.find(db, access.slug, lock=True)
-    if seen is not None and study.draft_saved_at is not None and seen != study.draft_saved_at:
+    if seen is not None and seen != _saved_at(study):
         raise ConflictError(
             "This study was changed elsewhere in the meantime.",
             code="draft_changed",
-            where={"saved_at": study.draft_saved_at.isoformat()},
+            where={"saved_at": _saved_at(study).isoformat()},
             mend="Load the page again to see it. What you changed last is not saved.",
         )
     if draft != content(db, study):
@@ -137,6 +139,11 @@ def save(
     db.commit()
     found, can_be_shown = _examined(db, study, draft)
     return SavedDraft(saved_at=study.draft_saved_at, problems=found, can_be_shown=can_be_shown)
+
+
+def _saved_at(study: Study) -> datetime:
+    """What the next save must have seen; nobody has edited the demonstration when it is made."""
+    return study.draft_saved_at or study.created_at
 
 
 def discard(db: Session, access: Access) -> None:

@@ -5257,7 +5257,7 @@ export interface components {
          *
          *     Attributes:
          *         draft: the study file as it is being edited; None where it equals the newest version.
-         *         saved_at: when the draft was last saved.
+         *         saved_at: when the draft was last saved or, if it never was, the study was made.
          *         definition: the newest version.
          *         problems: of the draft; none of them keeps it from being saved.
          *         can_be_shown: whether the preview can show it in spite of them.
@@ -5281,8 +5281,11 @@ export interface components {
             draft: {
                 [key: string]: unknown;
             } | null;
-            /** Saved At */
-            saved_at: string | null;
+            /**
+             * Saved At
+             * Format: date-time
+             */
+            saved_at: string;
             /** Definition */
             definition: {
                 [key: string]: unknown;

@@ -10,7 +10,7 @@ from sqlalchemy import select
 from starlette.testclient import TestClient
 
 from app.persistence.engine import Database
-from app.persistence.models import Researcher, StudySession
+from app.persistence.models import Researcher, Study, StudySession
 from app.services import keys, samples
 from app.studies import TEMPLATES
 from tests.app.conftest import Researching
@@ -113,10 +113,16 @@ def test_whatever_is_unfinished_is_kept_with_its_problems(signed_in: Researching
     assert signed_in.get(f"{STUDIES}/{slug}/preview").status_code == 422
 
 
+@pytest.mark.parametrize("edited_before", [True, False])
 def test_a_draft_saved_elsewhere_meanwhile_is_not_written_over(
-    signed_in: Researching, library: list[str]
+    signed_in: Researching, library: list[str], database: Database, edited_before: bool
 ) -> None:
-    study = made(signed_in, likert(library))
+    made(signed_in, likert(library))
+    if not edited_before:  # as the demonstration is made
+        with database.writing() as db:
+            db.scalars(select(Study).where(Study.slug == "gaits")).one().draft_saved_at = None
+            db.commit()
+    study = signed_in.get(f"{STUDIES}/gaits").json()
     address = f"{STUDIES}/gaits/draft"
     mine = {"seen": study["saved_at"]}
     first = signed_in.put(address, params=mine, json=likert(library, title="First"))
