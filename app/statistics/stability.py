@@ -80,8 +80,8 @@ class Drawn:
             from its clusters.
         whole: adjusted Rand index of each sample with the full solution (samples,), over all pairs
             that were asked, those left out being a group of their own.
-        shared: the same over the pairs that both keep; NaN where fewer pairs are kept than clusters
-            are wanted.
+        shared: the same over the pairs that both keep; NaN where these are fewer than two, or fewer
+            pairs are kept than clusters are wanted.
     """
 
     kept_share: Samples
@@ -250,8 +250,8 @@ def _whole(full: Labels, stays: Chosen, labels: Labels | None) -> float:
 
 
 def _shared(full: Labels, labels: Labels | None) -> float:
-    """The index over the pairs that both keep."""
+    """The index over the pairs that both keep; one pair alone agrees with everything."""
     if labels is None:
         return np.nan
     both = (full >= 0) & (labels >= 0)
-    return adjusted_rand(full[both], labels[both])
+    return adjusted_rand(full[both], labels[both]) if both.sum() > 1 else np.nan

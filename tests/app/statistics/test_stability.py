@@ -126,6 +126,15 @@ def test_a_sample_that_keeps_too_few_pairs_has_no_stable_cluster():
     assert alone.whole.mean == pytest.approx(alone.kept_alike)
 
 
+def test_one_pair_that_both_keep_says_nothing_of_groups():
+    ratings = np.zeros((2, 3, 2))
+    ratings[[0, 1], 0, [0, 1]] = 2  # each of two people sees another difference
+    found = found_in(ratings, most_spread=9.0, clusters=1, samples=200)
+    one_person = found.whole < 1  # who was drawn twice
+    assert 0.35 < one_person.mean() < 0.65
+    np.testing.assert_array_equal(np.isnan(found.shared), one_person)
+
+
 def test_jaccard_compares_a_cluster_with_the_most_similar_one():
     full = np.array([0, 0, 0, 1, 1, -1])
     other = np.array([1, 1, 0, 0, -1, 0])
