@@ -11,9 +11,6 @@ interface Asked {
   label: string;
 }
 
-/** On a slider of 100 points, 20 are as strict as one of five steps (app/schemas/study/parts.py). */
-const ON_SLIDERS = ["analogue", "parallel"];
-
 const KINDS: Record<string, { title: string; fields: readonly Field[]; blank: Obj; range: boolean | null }> = {
   instructed: {
     title: "Says what to answer", range: false,
@@ -40,8 +37,7 @@ export function checksField(field: Extract<Field, { type: "checks" }>, path: Pat
   const part = at(editing.study, path.slice(0, -1));
   const add = (kind: string) => {
     const id = freeName(kind === "instructed" ? "instruction" : kind, checks.map((check) => textOf(check["id"])));
-    const within = kind === "repeated" ? { within: ON_SLIDERS.includes(textOf(at(part, ["task", "kind"]))) ? 20 : 1 } : {};
-    editing.set(path, [...checks, { ...KINDS[kind]!.blank, ...within, id }]);
+    editing.set(path, [...checks, { ...KINDS[kind]!.blank, id }]);
   };
   const asked = askedBy(part, editing);
   const possible = Object.entries(KINDS).filter(([, { range }]) => range === null || asked.length);
