@@ -69,6 +69,7 @@ export class SolutionStability extends LitElement {
     this.about = limitsOf(choices);
     const query = { ...this.about, kind, samples: this.samples, seed: 1 };
     this.found = null;
+    this.watch.forget();
     await this.attempt(async () => {
       const answer = await api.post<Stability | Job>(this.address, undefined, { query, signal: asking.signal });
       if ("state" in answer) this.watch.follow(answer);
