@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from app.schemas.codebook import Column
@@ -48,7 +48,7 @@ FIELDS = (
 HEADS = tuple(one.column.name for one in FIELDS)
 
 
-def moves(rows: Sequence[Row]) -> Iterator[Move]:
+def moves(rows: Iterable[Row]) -> Iterator[Move]:
     """All moves that led to these answers."""
     for row in rows:
         for milliseconds, slider, position in row.answer.record.get("path") or ():

@@ -17,7 +17,6 @@ from app.schemas.codebook import Codebook, Table
 from app.schemas.results import SessionKind
 from app.services import export_moves
 from app.services.export_columns import Field, long_fields
-from app.services.export_moves import Move
 from app.services.export_rows import Row, rows_of
 from app.services.export_wide import Person, WideField, wide_fields
 from app.services.studies import find
@@ -104,12 +103,8 @@ def responses_jsonl(found: Exported) -> Iterator[bytes]:
 
 def moves_csv(found: Exported) -> Iterator[str]:
     """Every move of a slider in matches, one row a move, in their order."""
-    return csv_pieces(export_moves.HEADS, map(cells_of(export_moves.FIELDS), _moves(found)))
-
-
-def _moves(found: Exported) -> Iterator[Move]:
-    for row in found.rows():
-        yield from export_moves.moves([row])
+    moves = export_moves.moves(found.rows())
+    return csv_pieces(export_moves.HEADS, map(cells_of(export_moves.FIELDS), moves))
 
 
 def recruiting_csv(found: Exported) -> Iterator[str]:

@@ -81,7 +81,6 @@ def freeze(
         clips,
         sliders(solution, found.answers.pairs, found.titles),
         origin(found, solution),
-        {},
     )
 
     def write(db: Session) -> SpaceLine:
