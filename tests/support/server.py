@@ -11,6 +11,7 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing.process import BaseProcess
 from pathlib import Path
@@ -21,7 +22,8 @@ STOP_SECONDS = 60
 SET_UP_LINK = re.compile(r"http://\S+/research/set-up/\S+")
 
 # Servers are forked from one process that has loaded the code: loading it takes each of them 3 s.
-# Nothing has run there, so there are no connections, locks or threads to inherit.
+# Nothing has run there, so there are no connections or locks to inherit; OpenBLAS, which has
+# threads once it is loaded, ends them before a fork.
 _loaded = multiprocessing.get_context("forkserver")
 _loaded.set_forkserver_preload(["app.cli", "app.main", "app.services.preparation", "uvicorn"])
 
@@ -71,7 +73,11 @@ class Server:
         }
         self.process = _loaded.Process(target=_serve, args=(self.port, environment, self._log_file))
         self.process.start()
-        self._wait_until_healthy()
+        try:
+            self._wait_until_healthy()
+        except BaseException:
+            self.kill()  # or the tests would wait for it at their own end
+            raise
 
     def kill(self) -> None:
         """SIGKILL: no time to flush, drain or say goodbye."""
@@ -89,7 +95,8 @@ class Server:
     def _end(self, how: signal.Signals) -> None:
         if self.process is None or self.process.pid is None:
             return
-        os.killpg(self.process.pid, how)
+        with suppress(ProcessLookupError):  # it has ended by itself
+            os.killpg(self.process.pid, how)
         self.process.join(STOP_SECONDS)
         assert self.process.exitcode is not None, f"the server did not end:\n{self.log}"
         self.process = None
