@@ -244,7 +244,7 @@ def test_clips_that_do_not_fit_are_named_and_those_that_do_make_a_graph(
 
 
 @pytest.mark.parametrize(("size", "scheme"), [(DESKTOP, "light"), (PHONE, "dark")], ids=str)
-def test_axe_finds_nothing_grave_on_the_pages_of_graphs(
+def test_axe_finds_nothing_on_the_pages_of_graphs(
     research_page: Page, server: Server, size: Any, scheme: Any
 ):
     page = research_page

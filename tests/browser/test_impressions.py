@@ -222,7 +222,7 @@ def test_participants_are_drawn_anew_another_study_is_set_beside_and_a_space_is_
 
 
 @pytest.mark.parametrize(("size", "scheme"), [(DESKTOP, "light"), (PHONE, "dark")], ids=str)
-def test_axe_finds_nothing_grave_and_nothing_is_wider_than_the_screen(
+def test_axe_finds_nothing_and_nothing_is_wider_than_the_screen(
     impressions: Page, size: Any, scheme: Any
 ):
     page = impressions

@@ -35,7 +35,7 @@ def still(page: Page) -> None:
 
 
 @SIZES
-def test_axe_finds_nothing_grave_on_any_page_of_a_participant(page: Page, server: Server, size):
+def test_axe_finds_nothing_on_any_page_of_a_participant(page: Page, server: Server, size):
     page.set_viewport_size({"width": size[0], "height": size[1]})
     page.goto(server.url + STUDY)
     expect(page.get_by_role("button", name="Begin")).to_be_visible()
@@ -60,7 +60,7 @@ def test_axe_finds_nothing_grave_on_any_page_of_a_participant(page: Page, server
 
 
 @SIZES
-def test_axe_finds_nothing_grave_on_the_thanks_page(page: Page, server: Server, size):
+def test_axe_finds_nothing_on_the_thanks_page(page: Page, server: Server, size):
     page.set_viewport_size({"width": size[0], "height": size[1]})
     finish_by_request(page, begin(page, server))
     page.reload()
