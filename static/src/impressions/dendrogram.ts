@@ -16,6 +16,8 @@ export interface Drawing {
   clusters: readonly number[];
   /** Into how many the tree is cut. */
   cut: number;
+  /** Into how many it will be cut once the answer is there: what the next key goes on from. */
+  wanted: number;
   width: number;
   /** Where the cut is while it is dragged; null where it rests. */
   held: number | null;
@@ -84,7 +86,7 @@ function across({ height, ends }: Branch, drawing: Drawing, scale: Scale, cut: n
       : nothing)}`;
 }
 
-function knob(x: number, bottom: number, { merges, cut, grip }: Drawing, scale: Scale, act: Cutting): SVGTemplateResult {
+function knob(x: number, bottom: number, { merges, cut, wanted: from, grip }: Drawing, scale: Scale, act: Cutting): SVGTemplateResult {
   const most = merges.length + 1;
   const move = (event: PointerEvent) => {
     if (!(event.currentTarget as Element).hasPointerCapture(event.pointerId)) return;
@@ -98,7 +100,7 @@ function knob(x: number, bottom: number, { merges, cut, grip }: Drawing, scale: 
     Object.assign(grip, { pointer: event.clientX, cut: x, moving: false });
   };
   const press = (event: KeyboardEvent) => {
-    const wanted = stepped(event.key, cut, Math.min(most, 50));
+    const wanted = stepped(event.key, Math.min(from, most), Math.min(most, 50));
     if (wanted === null) return;
     event.preventDefault();
     act.set(wanted);

@@ -75,7 +75,7 @@ export class ImpressionMap extends LitElement {
     const row = new Map(leaves.map((id, place) => [id, place]));
     return dendrogram(
       {
-        merges, held: this.held, grip: this.grip, cut: Math.max(1, clusters.length), width: this.narrow.matches ? 104 : clips.length > FEW ? 180 : 268,
+        merges, held: this.held, grip: this.grip, cut: Math.max(1, clusters.length), wanted: this.limits.clusters, width: this.narrow.matches ? 104 : clips.length > FEW ? 180 : 268,
         order: kept.map((id) => row.get(id)!), clusters: clustersOfLeaves(this.data),
       },
       {

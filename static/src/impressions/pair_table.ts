@@ -61,6 +61,7 @@ export class PairTable extends LitElement {
     const set = (event: Event) => {
       const given = (event.target as HTMLInputElement).valueAsNumber;
       if (Number.isFinite(given) && given >= 0 && given <= 10) ask(this, "limits", { [name]: given });
+      else this.requestUpdate(); // the field shows the limit that holds
     };
     return html`<td class="number" role="cell"><label><span class="limit-name">${label}</span><span class="sign" aria-hidden="true">${sign}</span><input class="input limit-number" type="number" min="0" max="10" step="0.01"
         aria-label="${label}, as a number" .value=${live(value.toFixed(2))} @change=${set}></label></td>
