@@ -201,7 +201,8 @@ def _fault(space: SpaceDefinition, first: Source, candidate: Source) -> str | No
 def _sentence(rows: Sequence[PredictedParameter], kept: int) -> str:
     if not rows:
         return "Nobody judged this space's clips; the clip can join by its motion features."
-    return f"{kept} of {len(rows)} pairs can be predicted from the clip’s motion."
+    others = " The next version has no sliders of the others." if kept < len(rows) else ""
+    return f"{kept} of {len(rows)} pairs can be predicted from the clip’s motion.{others}"
 
 
 def _listed(names: Sequence[str]) -> str:

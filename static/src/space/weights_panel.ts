@@ -59,7 +59,7 @@ function facts({ outside, space, place }: SpaceSession, told: string, { join }: 
   const notes = (space.notes as Record<string, string[] | undefined>)[place.by] ?? [];
   return html`<section class="space-facts">
     <p class="outside" role="status">${outside > NONE
-      ? html`${icon("info")}<span><b>Outside what the examples span</b>, by ${Math.round(100 * outside)} % of a slider’s length. The figure stays a mix of them.</span>`
+      ? html`${icon("info")}<span><b>Outside what the examples span</b>, by ${Math.round(100 * outside)}\u00a0% of a slider’s length. The figure stays a mix of them.</span>`
       : nothing}</p>
     ${notes.map((words) => html`<p class="tiny">${words}</p>`)}
     <button class="link-button" type="button" @click=${join}>${icon("plus")}Add a clip to the space</button>
