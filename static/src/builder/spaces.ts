@@ -31,6 +31,12 @@ export async function newestOf(called: string): Promise<string> {
   return found?.id ?? called;
 }
 
+/** What the space of this id is called: a published study names it by the id alone. A name stays what it is. */
+export async function calledOf(space: string): Promise<string> {
+  const found = (await spaces()).find(({ id }) => id === space);
+  return found ? `${found.name}, version ${found.number}` : space;
+}
+
 export function spaceField(field: Extract<Field, { type: "space" }>, path: Path, value: Json | undefined, editing: Editing): TemplateResult {
   const choose = ({ detail }: CustomEvent<string>) => editing.set(path, detail);
   return html`<div class="field"><label for=${idOf(path)}>${field.label}</label>

@@ -12,6 +12,7 @@ it("tells what is made from what is a clip; a published version has both and is 
 
 it("says of a motion of a space which, and where on its sliders", () => {
   expect(factsOf(authored, undefined)).toEqual([["Made in", "Walks"], ["By", "adjectives"], ["Quickness", "0.80"], ["Large size", "0.13"]]);
+  expect(factsOf(authored, undefined, "Walks, version 2")).toContainEqual(["Made in", "Walks, version 2"]);
   const weights = { made: { space: "Walks", interface: "weights", values: { ab: 0.5, cd: 0.5 } } };
   expect(factsOf(weights, undefined)).toContainEqual(["Examples", "2"]);
 });

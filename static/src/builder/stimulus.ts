@@ -39,8 +39,11 @@ export async function editOf(stimulus: Json | undefined, source: string | undefi
 const interfaceOf = (made: Obj): string => textOf(made["interface"]) || "adjectives";
 const BY: Record<string, string> = { adjectives: "adjectives", features: "motion features", weights: "weights of the examples" };
 
-/** What it is, line by line. */
-export function factsOf(stimulus: Json | undefined, source: string | undefined): [string, string][] {
+/**
+ * What it is, line by line.
+ * @param space what its space is called; without it, as the study file names it.
+ */
+export function factsOf(stimulus: Json | undefined, source: string | undefined, space?: string): [string, string][] {
   const made = at(stimulus, ["made"]);
   if (!isObj(made)) return [["What it is", "A clip of the library"]];
   const name = source ?? textOf(made["source"]);
@@ -48,7 +51,7 @@ export function factsOf(stimulus: Json | undefined, source: string | undefined):
     const by = interfaceOf(made);
     const values = Object.entries(objOf(made["values"]));
     const told = by === "weights" ? [["Examples", String(values.length)]] : values.map(([id, value]) => [inWords(id), Number(value).toFixed(2)]);
-    return [["Made in", textOf(made["space"])], ["By", BY[by] ?? by], ...told] as [string, string][];
+    return [["Made in", space || textOf(made["space"])], ["By", BY[by] ?? by], ...told] as [string, string][];
   }
   const steps = listOf(made["operations"]).map((step) => inWords(textOf(at(step, ["operation"])).split("@")[0]));
   return [["Made from", name], ["By", made["preset"] ? inWords(made["preset"]) : steps.join(", ") || "nothing"]];

@@ -12,7 +12,7 @@ import type { MotionViewer } from "../viewer";
 import { shownOf } from "./clips";
 import { idOf, type Editing } from "./form";
 import { at, textOf, type Json, type Path } from "./model";
-import { newestOf } from "./spaces";
+import { calledOf, newestOf } from "./spaces";
 import { editOf, factsOf, isMade, named } from "./stimulus";
 import "../viewer";
 
@@ -28,6 +28,8 @@ export class StimulusDialog extends LitElement {
   @property({ attribute: false }) editing!: Editing;
   @state() private path: Path | null = null;
   @state() private motion: Motion | null = null;
+  /** What the space that it is made in is called. */
+  @state() private space = "";
   @state() private loading = false;
   @state() private problem: ApiError | null = null;
   @query("motion-viewer") private viewer!: MotionViewer | null;
@@ -37,14 +39,17 @@ export class StimulusDialog extends LitElement {
   }
 
   show(path: Path): void {
-    Object.assign(this, { path, motion: null, problem: null, loading: true });
+    Object.assign(this, { path, motion: null, space: "", problem: null, loading: true });
     void this.updateComplete.then(() => this.querySelector("dialog")?.showModal());
     void this.load(path);
   }
 
   private async load(path: Path): Promise<void> {
     try {
-      const motion = await this.motionOf(at(this.editing.study, path));
+      const stimulus = at(this.editing.study, path);
+      const space = textOf(at(stimulus, ["made", "space"]));
+      if (space) this.space = await calledOf(space);
+      const motion = await this.motionOf(stimulus);
       if (path === this.path) this.motion = motion;
     } catch (error) {
       if (!(error instanceof ApiError)) throw error;
@@ -76,7 +81,7 @@ export class StimulusDialog extends LitElement {
       <header><h2 class="figure-title" id="stimulus-title">${name}</h2>
         <button class="button quiet icon-button" type="button" aria-label="Close" @click=${close}>${icon("close")}</button></header>
       <div class="stimulus-stage">${this.stage(name)}</div>
-      <dl class="facts-list">${factsOf(stimulus, clip?.name).map(([word, value]) => html`<div><dt>${word}</dt><dd>${value}</dd></div>`)}</dl>
+      <dl class="facts-list">${factsOf(stimulus, clip?.name, this.space).map(([word, value]) => html`<div><dt>${word}</dt><dd>${value}</dd></div>`)}</dl>
       <div class="field"><label for=${`${idOf(path)}-name`}>Name in the results</label>
         <input class="input" id=${`${idOf(path)}-name`} maxlength="64" autocomplete="off" spellcheck="false" placeholder=${clip?.name.slice(0, 64) ?? ""}
           .value=${live(textOf(at(stimulus, ["name"])))} ?disabled=${!editing.editable} @input=${call}></div>
