@@ -169,5 +169,8 @@ def empty(title: str) -> dict[str, Any]:
             "statement": "I am 18 or older, I have read this, and I agree to take part.",
         },
         "parts": [],
-        "thanks": {"heading": "Thank you", "text": "You have judged {clips} clips."},
+        "thanks": {
+            "heading": "Thank you",
+            "text": "That was everything. Clips that you judged: {clips}.",
+        },
     }
