@@ -22,6 +22,7 @@ from app.persistence.engine import Database, make_engine
 from app.persistence.models import StudySession
 from tests.browser.conftest import CHROMIUM_ARGUMENTS, DESKTOP, PHONE, set_up_researcher
 from tests.browser.participant import begin, step
+from tests.support import pictures_of_spaces
 from tests.support.server import Server
 from tests.support.simulate import simulate
 
@@ -99,6 +100,7 @@ def take_all(context: BrowserContext, server: Server) -> None:
         studio(page, server, clip, f"studio-{scheme}")
     page.emulate_media(color_scheme="light")
     take_the_rest(page, server, clip)
+    pictures_of_spaces.take(page, server, shot)
 
 
 def take_the_rest(page: Page, server: Server, clip: str) -> None:
@@ -110,6 +112,7 @@ def take_the_rest(page: Page, server: Server, clip: str) -> None:
         shot(page, name)
     page.set_viewport_size(PHONE)
     studio(page, server, clip, "studio-phone")
+    page.set_viewport_size(DESKTOP)
 
 
 def studio(page: Page, server: Server, clip: str, name: str) -> None:
