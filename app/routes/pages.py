@@ -36,7 +36,7 @@ def clip_page(
     """One clip in the viewer."""
     clip = library.detail(db, clip_id, signed_in=researcher is not None)
     recipe = clip.provenance.recipe if clip.provenance else []
-    steps = catalogue.in_words(recipe) if recipe else []
+    steps = catalogue.in_words(db, recipe) if recipe else []
     written = json.dumps([step.model_dump() for step in recipe], indent=2)
     return render(request, "clip.html", clip=clip, steps=steps, recipe=written, section="library")
 

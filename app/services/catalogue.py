@@ -10,7 +10,7 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from app.errors import ConflictError, NotFoundError
-from app.persistence import jobs, poses
+from app.persistence import clips, jobs, poses
 from app.persistence.engine import Database
 from app.persistence.models import PoseRecord
 from app.schemas.edits import (
@@ -71,10 +71,14 @@ def presets() -> PresetList:
     return PresetList(presets=views)
 
 
-def in_words(recipe: Sequence[Step]) -> list[tuple[str, list[str]]]:
-    """Title of each step and what it was given, as people read it."""
+def in_words(db: Session, recipe: Sequence[Step]) -> list[tuple[str, list[str]]]:
+    """Title of each step and what it was given, as people read it: clips by their names."""
     from motion.recipe import OPERATIONS
 
+    names = {
+        clip.id: clip.name
+        for clip in clips.named(db, set(_ids([step.parameters for step in recipe])))
+    }
     told = []
     for step in recipe:
         operation = OPERATIONS.get(step.operation)
@@ -82,7 +86,7 @@ def in_words(recipe: Sequence[Step]) -> list[tuple[str, list[str]]]:
             told.append((step.operation, [f"{n} {v}" for n, v in step.parameters.items()]))
         else:
             schema = dict(operation.to_schema())
-            told.append((operation.title, list(_members(schema, step.parameters))))
+            told.append((operation.title, list(_members(schema, step.parameters, names))))
     return told
 
 
@@ -159,26 +163,43 @@ def delete_pose(db: Session, pose_id: str) -> None:
     db.commit()
 
 
-def _members(schema: Mapping[str, Any], values: Mapping[str, Any]) -> Iterator[str]:
+def _members(
+    schema: Mapping[str, Any], values: Mapping[str, Any], names: Mapping[str, str]
+) -> Iterator[str]:
     for name, value in values.items():
         about = schema["properties"].get(name, {"title": name})
         if isinstance(value, list) and value and isinstance(value[0], dict):
             for entry in value:
-                yield ", ".join(_members(about["items"], entry))
+                yield ", ".join(_members(about["items"], entry, names))
+        elif isinstance(value, dict) and "properties" in about:
+            yield f"{about['title']}: {', '.join(_members(about, value, names))}"
         elif value is not None and value != []:
-            yield f"{about['title']}: {_value(value, about.get('unit', ''))}"
+            yield f"{about['title']}: {_value(value, about.get('unit', ''), names)}"
 
 
-def _value(value: object, unit: str) -> str:
+def _value(value: object, unit: str, names: Mapping[str, str]) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
         number = f"{value:.3g}".replace("-", "−")
         return number if not unit else f"{number}{'' if unit == '°' else ' '}{unit}"
     if isinstance(value, list):
-        return ", ".join(_value(one, "") for one in value)
+        return ", ".join(_value(one, "", names) for one in value)
     text = str(value)
+    if text in names:
+        return names[text]
     return f"{text[:8]}…" if len(text) == 64 else text.replace("_", " ")
+
+
+def _ids(value: object) -> Iterator[str]:
+    """Every text in a recipe that may be a clip's id."""
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, list):
+        for one in value:
+            yield from _ids(one)
+    elif isinstance(value, str) and len(value) == 64:
+        yield value
 
 
 def _operation(key: str) -> OperationView:

@@ -169,6 +169,11 @@ def test_the_clip_that_a_recipe_makes_is_the_motion_that_was_shown(
         np.testing.assert_array_equal(root, kept_root)
         np.testing.assert_array_equal(rotations, kept_rotations)
         assert author.get(f"/api/v1/clips/{clip.json()['id']}.bvh").status_code == 200
+    page = author.get(clip.json()["page_url"]).text
+    assert "A mix of 2 examples" in page
+    for example in space["clips"][1:3]:
+        assert f"Clip: {example['name']}, Weight: 0." in page
+    assert "Keytimes: Left strike: " in page
 
 
 def test_a_recipe_needs_no_space_and_names_what_weighs_only(author: Researching) -> None:
