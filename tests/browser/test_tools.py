@@ -53,9 +53,7 @@ def choose(page: Page, name: str, text: str) -> None:
 
 
 @pytest.mark.parametrize(("size", "scheme"), [(DESKTOP, "light"), (PHONE, "dark")], ids=str)
-def test_axe_finds_nothing_on_any_page_of_a_researcher(
-    library: Page, server: Server, size, scheme
-):
+def test_axe_finds_nothing_on_any_page_of_a_researcher(library: Page, server: Server, size, scheme):
     page = library
     page.set_viewport_size(size)
     page.emulate_media(color_scheme=scheme)

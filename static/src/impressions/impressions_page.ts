@@ -202,7 +202,7 @@ export class ImpressionsPage extends LitElement {
 
   private whose({ kind, simulated, part }: Impressions): TemplateResult | typeof nothing {
     if (kind === "simulated") {
-      return html`<div class="note simulated" role="note">${icon("info")}<p><b>Simulated participants.</b> Nobody gave these answers: they come from effects that somebody stated beforehand. <a href=${this.to(part.id, "participant")}>Show people’s answers</a></p></div>`;
+      return html`<div class="note simulated" role="note">${icon("info")}<p><b>Simulated participants.</b> Nobody gave these answers: they are made up, by rules stated beforehand. <a href=${this.to(part.id, "participant")}>Show people’s answers</a></p></div>`;
     }
     if (!simulated) return nothing;
     return html`<p class="small quiet switch">${simulated} simulated participants are kept apart. <a href=${this.to(part.id, "simulated")}>Show their answers</a></p>`;

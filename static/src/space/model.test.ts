@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import {
-  added, carried, clustersOf, interfacesOf, middle, mixed, moved, nameOf, placeOfExample, pointOf, removed, slidersOf, start, swapped, switched, weighed,
+  added, carried, clustersOf, interfacesOf, lost, middle, mixed, moved, nameOf, placeOfExample, pointOf, removed, slidersOf, start, swapped, switched, weighed,
 } from "./model";
 import type { Space } from "./server";
 import { languagesOf } from "./words";
@@ -52,6 +52,8 @@ test("in another version lost sliders are gone, new primary ones stand in the mi
   expect(there.adjectives).toEqual({ quickness: 0.8, size: 0.5 });
   expect(there.weights).toEqual({ ...place.weights, d: 0 });
   expect(carried(place, bare).by).toBe("features");
+  expect(lost(space, next, "en")).toBe(`${slidersOf(space, "adjectives", "en")[1]!.title}, 1 pair`);
+  expect(lost(space, space, "en")).toBe("");
 });
 
 test("a weight that is moved leaves the others their proportions, and their sum stays 1", () => {

@@ -110,6 +110,15 @@ export function carried({ before: _, ...place }: Place, space: Space): Place {
   return { by, adjectives: having("adjectives"), features: having("features"), weights };
 }
 
+/** The adjective sliders that another version has no longer: the names of primary ones, how many single ones. */
+export function lost(before: Space, after: Space, language: string): string {
+  const kept = new Set(slidersOf(after, "adjectives", language).map(({ id }) => id));
+  const gone = slidersOf(before, "adjectives", language).filter(({ id }) => !kept.has(id));
+  const pairs = gone.filter(({ primary }) => !primary).length;
+  const words = gone.filter(({ primary }) => primary).map(({ title }) => title);
+  return [...words, ...(pairs ? [pairs === 1 ? "1 pair" : `${pairs} pairs`] : [])].join(", ");
+}
+
 /** What the server is asked for. An example without weight need not be named. */
 export function pointOf({ by, ...place }: Place): Point {
   const values = place[by];

@@ -14,7 +14,7 @@ import { keytimePanel, type KeytimeActs } from "./keytime_panel";
 import { mixedContacts } from "./keytimes";
 import { mapPanel, type Axes, type MapActs } from "./map_panel";
 import {
-  added, carried, middle, mixed, moved, placeOfExample, removed, slidersOf, swapped, switched, weighed, type Kind, type Place,
+  added, carried, lost, middle, mixed, moved, placeOfExample, removed, slidersOf, swapped, switched, weighed, type Kind, type Place,
 } from "./model";
 import type { Chosen, PairChooser } from "./pair_chooser";
 import * as server from "./server";
@@ -189,11 +189,12 @@ export class MotionSpace extends Workbench<SpaceSession> {
 
   /** The space's next version takes this one's place on the page: it stands where this one stood, moved events are in it. */
   private async renew(join: string[] = []): Promise<void> {
-    const { place, name, changedKeytimes } = this.session!;
+    const { place, name, changedKeytimes, space: before } = this.session!;
     const space = await server.version(this.wanted, { join, keytimes: changedKeytimes ?? {} });
     this.open(space, carried(place, space));
     this.session!.name = name;
-    this.told = `Version ${space.number} is made.`;
+    const gone = lost(before, space, this.language);
+    this.told = `Version ${space.number} is made.${gone ? ` It has no longer: ${gone}. Version ${before.number} stays under Spaces.` : ""}`;
   }
 
   private async chooseClip(): Promise<void> {

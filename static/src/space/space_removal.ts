@@ -55,11 +55,11 @@ export class SpaceRemoval extends LitElement {
     return html`<dialog class="space-dialog make-dialog" aria-labelledby="removal-title" @close=${() => (this.space = null)}><form @submit=${submit}>
       <header><h2 class="figure-title" id="removal-title">Delete “${space.name}”${several ? "" : `, version ${space.number}`}</h2></header>
       ${several ? html`<fieldset class="which"><legend class="visually-hidden">Which versions</legend>
-        ${choice("one", only)}${choice("all", `All ${several} versions`)}</fieldset>` : nothing}
+        ${choice("one", only)}${choice("all", several === 2 ? "Both versions" : `All ${several} versions`)}</fieldset>` : nothing}
       <p class="quiet">Its clips stay, and so does every clip that was made in it. It cannot be brought back.</p>
       ${problem ? problemNote(problem) : nothing}
       <footer><button class="button" type="button" autofocus @click=${() => this.dialog?.close()}>Keep it</button>
-        <button class="button danger" type="submit" ?disabled=${busy}>${busy ? "Being deleted" : which === "all" ? `Delete all ${several} versions` : "Delete"}</button></footer>
+        <button class="button danger" type="submit" ?disabled=${busy}>${busy ? "Being deleted" : which === "all" ? several === 2 ? "Delete both" : `Delete all ${several} versions` : "Delete"}</button></footer>
     </form></dialog>`;
   }
 }

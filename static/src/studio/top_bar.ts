@@ -27,7 +27,7 @@ export interface TopState {
 export function topBar(session: Session | null, { original, busy, drawer, mix }: TopState, acts: TopActs): TemplateResult {
   return html`<header class="studio-top">
     ${brand}
-    <nav class="crumbs" aria-label="Where you are"><a href="/library">Library</a><a href="/studio/spaces">Spaces</a><span aria-hidden="true">/</span></nav>
+    <nav class="crumbs" aria-label="Where you are"><a href="/library">Library</a><span aria-hidden="true">·</span><a href="/studio/spaces">Spaces</a><span aria-hidden="true">/</span></nav>
     ${session ? title(session, mix, acts) : html`<h1>Studio</h1>`}
     ${session
       ? html`<div class="acts">
