@@ -71,6 +71,7 @@ class Server:
             "MANNER_PUBLIC_URL": self.url,
             **self.environment,
         }
+        self._log_file.touch()  # read even if the server ends before it can print
         self.process = _loaded.Process(target=_serve, args=(self.port, environment, self._log_file))
         self.process.start()
         try:
