@@ -23,6 +23,7 @@ from motion.rotations import conjugate, multiply
 Array = NDArray[np.float64]
 
 _XYZW, _WXYZ = [1, 2, 3, 0], [3, 0, 1, 2]
+CLOSEST = 1e-3  # s between moments: nearer ones would ask for speeds beyond all numbers
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,16 +85,17 @@ def warp_time(clip: Clip, moments: Sequence[tuple[float, float]], amount: float 
         amount: 0 leaves the clip, 1 moves the moments all the way.
 
     Raises:
-        MotionError: if moments overtake each other or leave the clip.
+        MotionError: if moments touch or overtake each other, or leave the clip.
     """
     if amount == 0.0 or not moments:
         return clip
     was, wanted = np.array(sorted([(0.0, 0.0), *moments, (clip.duration, clip.duration)])).T
     shown = was + amount * (wanted - was)
-    if np.any(np.diff(was) <= 0.0) or np.any(np.diff(shown) <= 0.0):
+    if min(np.diff(was).min(), np.diff(shown).min()) < CLOSEST:
         raise MotionError(
-            f"Moments {list(moments)} must lie apart from each other, in the same order before "
-            f"and after, within the {clip.duration:.3g} s of the clip."
+            f"Moments {list(moments)} must lie {CLOSEST * 1000:g} ms apart or more, also from the "
+            f"ends, in the same order before and after, within the {clip.duration:.3g} s of the "
+            "clip."
         )
     frames = np.arange(clip.frames)
     source = PchipInterpolator(shown, was)(frames * clip.frame_time) / clip.frame_time

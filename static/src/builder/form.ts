@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { icon } from "../icons";
 import type { Clip } from "../library/model";
+import { typed } from "../typed";
 import { checksField } from "./checks";
 import { clipField, clipsField } from "./clips";
 import type { Field } from "./fields";
@@ -65,14 +66,14 @@ const DRAW: { [T in Field["type"]]: Draw<T> } = {
       else if (!input.validity.badInput) editing.set(path, field.optional ? undefined : (field.start ?? 0));
     };
     return labelled(field, path, html`<input class="input short" id=${idOf(path)} type="number" min=${field.min ?? nothing} max=${field.max ?? nothing} step=${field.step ?? 1}
-      .value=${live(String(typeof value === "number" ? value : (field.start ?? "")))} @change=${change} aria-describedby=${`${idOf(path)}-note`} aria-invalid=${invalid(path, editing)}>`, editing);
+      ${typed(String(typeof value === "number" ? value : (field.start ?? "")))} @change=${change} aria-describedby=${`${idOf(path)}-note`} aria-invalid=${invalid(path, editing)}>`, editing);
   },
   time: (field, path, value, editing) => {
     const change = (event: Event) => {
       const given = valueOf(event);
       editing.set(path, given ? new Date(given).toISOString() : undefined);
     };
-    return labelled(field, path, html`<input class="input short" id=${idOf(path)} type="datetime-local" .value=${live(localTime(textOf(value)))} @change=${change}
+    return labelled(field, path, html`<input class="input short" id=${idOf(path)} type="datetime-local" ${typed(localTime(textOf(value)))} @change=${change}
       aria-describedby=${`${idOf(path)}-note`} aria-invalid=${invalid(path, editing)}>`, editing);
   },
   switch: (field, path, value, editing) => {
@@ -110,7 +111,7 @@ const DRAW: { [T in Field["type"]]: Draw<T> } = {
       editing.set(path, given.length ? given : undefined);
     };
     const hint = "One line a page: the clips’ names with commas between. Empty: all at once, or every pair.";
-    return labelled({ ...field, hint }, path, html`<textarea class="input" id=${idOf(path)} rows="3" spellcheck="false" .value=${live(lines)} @change=${change} aria-describedby=${`${idOf(path)}-note`}></textarea>`, editing);
+    return labelled({ ...field, hint }, path, html`<textarea class="input" id=${idOf(path)} rows="3" spellcheck="false" ${typed(lines)} @change=${change} aria-describedby=${`${idOf(path)}-note`}></textarea>`, editing);
   },
   groups: (field, path, value, editing) => {
     const groups = listOf(at(editing.study, ["groups"])).map(objOf);

@@ -1,9 +1,9 @@
 // <cluster-list>: the clusters in columns, to be named, and their pairs to be moved by hand.
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
 import { icon } from "../icons";
+import { typed } from "../typed";
 import { ask } from "./events";
 import { counted, groupOf, pairWords, share, type Cluster, type Impressions, type Pair } from "./model";
 import { paint } from "./paint";
@@ -84,7 +84,7 @@ export class ClusterList extends LitElement {
     if (!this.data.may_edit) return html`<h3 class="cluster-name">${title}</h3>`;
     const rename = (event: Event) => ask(this, "rename", { key, title: (event.target as HTMLInputElement).value.trim() });
     return html`<h3 class="visually-hidden">${title}</h3>
-      <input class="input cluster-name" aria-label="Name of the cluster ${title}" maxlength="200" placeholder=${title} .value=${live(named ? title : "")} @change=${rename}>`;
+      <input class="input cluster-name" aria-label="Name of the cluster ${title}" maxlength="200" placeholder=${title} ${typed(named ? title : "")} @change=${rename}>`;
   }
 
   private member(id: string, cluster: Cluster): TemplateResult | typeof nothing {

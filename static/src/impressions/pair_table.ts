@@ -4,6 +4,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { live } from "lit/directives/live.js";
 import { number } from "../results/words";
+import { typed } from "../typed";
 import { ask } from "./events";
 import { groupOf, pairWords, reaches, reasons, type Impressions, type Limits, type Pair } from "./model";
 import { paint } from "./paint";
@@ -64,7 +65,7 @@ export class PairTable extends LitElement {
       else this.requestUpdate(); // the field shows the limit that holds
     };
     return html`<td class="number" role="cell"><label><span class="limit-name">${label}</span><span class="sign" aria-hidden="true">${sign}</span><input class="input limit-number" type="number" min="0" max="10" step="0.01"
-        aria-label="${label}, as a number" .value=${live(value.toFixed(2))} @change=${set}></label></td>
+        aria-label="${label}, as a number" ${typed(value.toFixed(2))} @change=${set}></label></td>
       <td class="track" role="cell"><input class="threshold" type="range" min="0" max=${reach} step="0.05" .value=${live(String(value))}
         aria-label=${label} aria-valuetext=${value.toFixed(2)} data-limit=${name} @input=${set}></td>`;
   }

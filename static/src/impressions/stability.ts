@@ -23,6 +23,8 @@ export class SolutionStability extends LitElement {
   @state() private samples = SAMPLES[0]!;
   /** What the answer is about: it says so once the thresholds or the cut are others. */
   private about: Limits | null = null;
+  /** What the answer under way will be about. */
+  private asked: Limits | null = null;
   /** A large bootstrap is a job of the server. */
   private readonly watch = new JobWatch(this, (job) => void this.fetch(job));
   private readonly dark = darkMode();
@@ -66,14 +68,13 @@ export class SolutionStability extends LitElement {
   private async ask(): Promise<void> {
     const { kind, choices } = this.data;
     const asking = (this.asking = new AbortController());
-    this.about = limitsOf(choices);
-    const query = { ...this.about, kind, samples: this.samples, seed: 1 };
-    this.found = null;
+    this.asked = limitsOf(choices);
+    const query = { ...this.asked, kind, samples: this.samples, seed: 1 };
     this.watch.forget();
     await this.attempt(async () => {
       const answer = await api.post<Stability | Job>(this.address, undefined, { query, signal: asking.signal });
       if ("state" in answer) this.watch.follow(answer);
-      else this.found = answer;
+      else this.show(answer);
     });
     if (this.asking === asking) this.asking = null;
   }
@@ -81,9 +82,15 @@ export class SolutionStability extends LitElement {
   private async fetch(job: Job): Promise<void> {
     if (job.state !== "done") return;
     await this.attempt(async () => {
-      this.found = await api.get<Stability>(`${this.address}/${job.id}`);
+      this.show(await api.get<Stability>(`${this.address}/${job.id}`));
       this.watch.forget();
     });
+  }
+
+  /** An earlier result stays until then: whoever cancels still has it. */
+  private show(found: Stability): void {
+    this.found = found;
+    this.about = this.asked;
   }
 
   private cancel(): void {
@@ -104,7 +111,7 @@ export class SolutionStability extends LitElement {
     return html`<header><h2 class="figure-title" id="stable">Would others see the same</h2>
         <p>Participants are drawn anew, with replacement, and each time the pairs are chosen and grouped again, by the same thresholds and cut. The ${this.data.participants} people here stand for all others.</p></header>
       ${computing ? this.progress(job) : this.form()}
-      ${job?.state === "cancelled" ? html`<p class="quiet" role="status">Cancelled.</p>` : nothing}
+      ${job?.state === "cancelled" ? html`<p class="quiet" role="status">Cancelled.${this.found ? " The numbers below are those of before." : ""}</p>` : nothing}
       ${job?.state === "failed" ? html`<p class="note note-bad" role="alert">The computation broke off. Draw participants anew.</p>` : nothing}
       ${problem ? problemNote(problem) : this.problem ? problemNote(this.problem) : nothing}
       ${this.found ? this.result(this.found) : nothing}`;

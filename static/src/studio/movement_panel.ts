@@ -1,7 +1,7 @@
 // The left panel: how it moves. Preset, posture, path and timing, frequency bands, and all else.
 import { html, noChange, nothing, type TemplateResult } from "lit";
-import { live } from "lit/directives/live.js";
 import { icon } from "../icons";
+import { typed } from "../typed";
 import { USUAL_BANDS, type BandChange } from "./equaliser";
 import { inWords, startingParameters } from "./form_model";
 import { inReach } from "./pad_model";
@@ -87,7 +87,7 @@ function pathAndTiming(session: Session): TemplateResult {
   const point = gridOf(session.steps);
   const set = (next: GridPoint) => session.change(withGrid(session.steps, inReach(next)), "path and timing");
   const field = (axis: keyof GridPoint, label: string) => html`<input class="bare" type="number" min="0" max="2" step="0.05" aria-label=${label}
-    .value=${live(point[axis].toFixed(2))} @change=${(event: Event) => {
+    ${typed(point[axis].toFixed(2))} @change=${(event: Event) => {
       const { valueAsNumber } = event.target as HTMLInputElement;
       if (Number.isFinite(valueAsNumber)) set({ ...point, [axis]: valueAsNumber });
     }}>`;

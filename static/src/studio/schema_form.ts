@@ -1,6 +1,7 @@
 // The form of any operation, made from the JSON Schema of its parameters.
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
+import { typed } from "../typed";
 import { hasSlider, inWords, isWhole, kindOf, mayBeNull, readJson, startOf, stepOf, type Schema } from "./form_model";
 import { textOf, type Json, type Parameters } from "./recipe";
 import type { Clip } from "./server";
@@ -42,7 +43,7 @@ function number(label: string, schema: Schema, value: Json, set: Set): TemplateR
     else if (field.reportValidity() && field.value !== "") set(field.valueAsNumber);
   };
   return row(label, schema, html`<input class="input" type="number" min=${minimum} max=${maximum} step=${isWhole(schema) ? 1 : "any"}
-    placeholder=${mayBeNull(schema) ? "as usual" : nothing} .value=${live(value === null ? "" : String(value))} @change=${change}>`);
+    placeholder=${mayBeNull(schema) ? "as usual" : nothing} ${typed(value === null ? "" : String(value))} @change=${change}>`);
 }
 
 function choice(label: string, schema: Schema, value: Json, set: Set): TemplateResult {
@@ -85,7 +86,7 @@ function flag(label: string, _: Schema, value: Json, set: Set): TemplateResult {
 function text(label: string, schema: Schema, value: Json, set: Set): TemplateResult {
   const names = (schema.anyOf ?? []).flatMap((one) => one.enum ?? []).map(inWords);
   const change = (event: Event) => set((event.target as HTMLInputElement).value.trim());
-  return row(label, schema, html`<input class="input" type="text" spellcheck="false" .value=${live(String(value ?? ""))} @change=${change}
+  return row(label, schema, html`<input class="input" type="text" spellcheck="false" ${typed(String(value ?? ""))} @change=${change}
     placeholder=${names.length ? names.join(", ") : "64 characters 0–9, a–f"}>`);
 }
 

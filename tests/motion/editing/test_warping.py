@@ -72,3 +72,10 @@ def test_what_cannot_be_is_refused(knocking):
         warp_time(knocking, [(1.0, 2.5), (2.0, 2.4)])
     with pytest.raises(MotionError, match="within"):
         warp_time(knocking, [(1.0, 99.0)])
+    for near in (
+        [(1e-310, 0.5)],
+        [(1.0, 2.0), (1.0 + 1e-9, 2.5)],
+        [(2.0, knocking.duration - 1e-300)],
+    ):
+        with pytest.raises(MotionError, match="1 ms apart"):
+            warp_time(knocking, near)
