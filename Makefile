@@ -37,19 +37,27 @@ dev: .venv/.run-ready static/dist/.ready ## Serve with reload, front end rebuilt
 	@trap 'kill 0' EXIT; (cd static && npm run -s dev) & $(BIN)/manner serve --reload
 
 .PHONY: test
-test: lint browser ## Lint, types, front-end tests, and the test suite on SQLite, PostgreSQL and Chromium
-	@cd static && npm test --silent
+test: .venv/.test-ready static/dist/.ready browser ## Lint, types, front-end tests, and the test suite on SQLite, PostgreSQL and Chromium
+	@$(MAKE) --no-print-directory -j2 lint test-front-end
 	@HOME=$(CACHE)/home $(BIN)/python -m pytest -n 2 --dist worksteal -m 'not long' $(PYTEST_ARGS)
 
 .PHONY: test-long
 test-long: .venv/.test-ready static/dist/.ready browser ## Run every template in every size and language as well
 	@HOME=$(CACHE)/home $(BIN)/python -m pytest -n 2 --dist worksteal -m long $(PYTEST_ARGS)
 
-.PHONY: lint
-lint: .venv/.test-ready static/dist/.ready ## Formatting, style, types and import directions
+.PHONY: test-front-end
+test-front-end: static/dist/.ready
+	@cd static && npm test --silent
+
+.PHONY: lint lint-python lint-front-end
+lint: lint-python lint-front-end ## Formatting, style, types and import directions
+
+lint-python: .venv/.test-ready
 	@$(BIN)/ruff format --check -q . && $(BIN)/ruff check -q .
 	@$(BIN)/mypy
 	@$(BIN)/lint-imports
+
+lint-front-end: .venv/.test-ready static/dist/.ready
 	@cd static && npm run -s check
 
 .PHONY: format

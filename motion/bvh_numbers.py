@@ -231,7 +231,8 @@ def _read_parts(words: Words, text: Bytes, starts: Index, ends: Index, base: int
             words[ends[long] + (base - 16)], length[long] - 8
         )
         digits[long] += _eight_digits(high) * _HIGH_PLACES[dots[long]]
-        decimals[long] += high_dots * (8 + more)
+        # A second dot makes a token bad, and would count more decimals than there are.
+        decimals[long] = np.minimum(decimals[long] + high_dots * (8 + more), 15)
         bad[long] |= high_bad | (dots[long] + high_dots > 1) | (length[long] > 16)
         bad[long] |= digits[long] > _LARGEST_EXACT
         dots[long] |= high_dots

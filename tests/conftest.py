@@ -27,8 +27,15 @@ from app.settings import Settings
 
 ROOT = Path(__file__).parents[1]
 
+# The same examples in every run, so that red means a change; new ones are what "search" is for.
 # No time limit in tests: a slow moment of the machine is no fault of the code.
-hypothesis.settings.register_profile("manner", deadline=None)
+hypothesis.settings.register_profile("manner", deadline=None, derandomize=True)
+hypothesis.settings.register_profile(
+    "search",
+    deadline=None,
+    max_examples=2500,
+    suppress_health_check=list(hypothesis.HealthCheck),
+)
 hypothesis.settings.load_profile("manner")
 
 

@@ -56,12 +56,13 @@ def test_numbers_are_read_across_blocks_and_lines_counted():
     assert np.array_equal(numbers.line_ends, np.arange(1, 40_001) * 3)
 
 
+@pytest.mark.parametrize("bad", [b"oops", b"1.2.3", b"-.0.0000000", b"0.00000000.0000000"])
 @pytest.mark.parametrize("before", [0, 3, 50_000])
-def test_a_bad_number_is_told_by_index_and_place(before):
-    data = b"1.5 " * before + b"oops 2"
+def test_a_bad_number_is_told_by_index_and_place(before, bad):
+    data = b"1.5 " * before + bad + b" 2"
     with pytest.raises(BadNumberError) as caught:
         parse_numbers(data)
-    assert (caught.value.token, caught.value.index) == (b"oops", before)
+    assert (caught.value.token, caught.value.index) == (bad, before)
 
 
 @pytest.mark.motions
