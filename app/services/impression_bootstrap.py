@@ -14,7 +14,7 @@ import numpy as np
 from app.statistics.intervals import Samples
 from app.statistics.stability import Bootstrap, BySize, Drawn, sizes
 
-PIECE = 250  # samples
+PIECE = 100  # samples
 MOST_BY_SIZE = 200  # samples for each number of participants
 
 

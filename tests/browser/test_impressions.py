@@ -203,9 +203,10 @@ def test_participants_are_drawn_anew_another_study_is_set_beside_and_a_space_is_
     page.get_by_label("Draws").select_option("10000")
     page.get_by_role("button", name="Draw participants anew").click()
     progress = page.get_by_role("progressbar", name="Drawing participants anew")
-    expect(progress).to_have_attribute("max", "47", timeout=LONG)  # pieces of work
+    expect(progress).to_have_attribute("max", "107", timeout=LONG)  # pieces of work
     page.get_by_role("button", name="Cancel").click()
     expect(page.get_by_text("Cancelled.")).to_be_visible(timeout=LONG)
+    expect(page.locator(".enough")).to_contain_text("for the whole solution")  # of before
     job = page.request.get(f"{server.url}/api/v1/jobs").json()["jobs"][0]
     assert (job["kind"], job["state"]) == ("stability", "cancelled")
     page.get_by_label("Compare with").select_option("Adjectives for walks, set B")
@@ -218,6 +219,10 @@ def test_participants_are_drawn_anew_another_study_is_set_beside_and_a_space_is_
     expect(link).to_have_attribute("href", SPACE, timeout=LONG)
     spaces = page.request.get(f"{server.url}/api/v1/spaces").json()["spaces"]
     assert "Walks by adjectives" in [space["name"] for space in spaces]
+    page.reload()
+    expect(page.get_by_role("link", name="Walks by adjectives, version 1")).to_have_attribute(
+        "href", SPACE, timeout=LONG
+    )
     assert faults == []
 
 

@@ -4,8 +4,10 @@ import { customElement, property, state } from "lit/decorators.js";
 import { api, type ApiError } from "../api";
 import { problemNote } from "../graph/problem";
 import { icon } from "../icons";
-import { counted, type Impressions, type SpaceLine } from "./model";
+import { counted, type Impressions, type ListedSpace, type SpaceLine } from "./model";
 import { attempt } from "./problem";
+
+const MOST_TOLD = 3;
 
 @customElement("space-maker")
 export class SpaceMaker extends LitElement {
@@ -13,11 +15,26 @@ export class SpaceMaker extends LitElement {
   /** Sends what is not saved yet: the space is made of what is saved. */
   @property({ attribute: false }) settle: () => Promise<void> = () => Promise.resolve();
   @state() private made: SpaceLine | null = null;
+  /** What was made of this study before, the newest first. */
+  @state() private earlier: readonly ListedSpace[] = [];
   @state() private problem: ApiError | null = null;
   @state() private busy = false;
 
   protected override createRenderRoot(): HTMLElement {
     return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    void this.look();
+  }
+
+  private async look(): Promise<void> {
+    const { slug, kind } = this.data;
+    await attempt(async () => {
+      const { spaces } = await api.get<{ spaces: ListedSpace[] }>("/api/v1/spaces");
+      this.earlier = spaces.filter(({ study, simulated }) => study === slug && simulated === (kind === "simulated"));
+    }, () => {}); // the list under Spaces has them all the same
   }
 
   private async make(event: SubmitEvent): Promise<void> {
@@ -46,8 +63,17 @@ export class SpaceMaker extends LitElement {
           <label class="field"><span>Name</span><input class="input" name="name" required maxlength="200" .defaultValue=${title}></label>
           <button class="button primary" ?disabled=${this.busy}>Make authoring space</button></form>`
         : html`<p class="quiet">Editors and owners of the study can make one.</p>`}
+      ${this.made ? nothing : this.madeBefore()}
       ${this.problem ? problemNote(this.problem) : nothing}
       ${this.made ? html`<p class="note note-good" role="status">${icon("check")}<span><b>${this.made.name}</b>${this.made.number > 1 ? `, version ${this.made.number},` : ""} is made.
         <a href="/studio/spaces/${this.made.id}">Open it in the studio</a></span></p>` : nothing}`;
+  }
+
+  private madeBefore(): TemplateResult | typeof nothing {
+    if (!this.earlier.length) return nothing;
+    const links = this.earlier.slice(0, MOST_TOLD).map(({ id, name, number }, index) =>
+      html`${index ? ", " : ""}<a href="/studio/spaces/${id}">${name}, version ${number}</a>`);
+    const more = this.earlier.length - links.length;
+    return html`<p class="small quiet">Made of this study before: ${links}${more > 0 ? html` and <a href="/studio/spaces">${more} more</a>` : nothing}.</p>`;
   }
 }

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { icon } from "../icons";
 import type { AnyKind } from "../trials";
-import type { View } from "../trials/kind";
+import type { Step, View } from "../trials/kind";
 import { LONGEST_TEXT } from "../trials/text";
 import { t } from "../words";
 import { brand } from "./brand";
@@ -42,10 +42,15 @@ export function face(scene: Scene): TemplateResult {
 
 function place({ step, trial, trials, index, length }: Course): TemplateResult {
   const counted = step && isTrial(step);
-  const noun = counted && step.figures.length > 1 ? t("Series {index}", { index: trial }) : t("Clip {index}", { index: trial });
+  const noun = counted ? nounOf(step, trial) : "";
   const words = html`<span aria-live="polite"><strong>${noun}</strong> ${t("of {count}", { count: trials })}</span>`;
   return html`<div class="place">${counted ? words : nothing}
     <progress max=${length} .value=${index} aria-label=${t("Answered so far")}></progress></div>`;
+}
+
+function nounOf({ kind, figures }: Step, index: number): string {
+  if (kind === "match") return t("Task {index}", { index });
+  return figures.length > 1 ? t("Series {index}", { index }) : t("Clip {index}", { index });
 }
 
 function question({ view: { task, step } }: Scene): TemplateResult {

@@ -1,7 +1,7 @@
 // The bar on top: which space, what the motion is called, undo and redo, export, save.
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "../icons";
-import { brand, type Drawer } from "../studio/top_bar";
+import { back, brand, type Drawer } from "../studio/top_bar";
 import type { SpaceSession } from "./session";
 
 export interface BarActs {
@@ -14,7 +14,7 @@ export interface BarActs {
 
 export function spaceBar(session: SpaceSession | null, { drawer, busy }: { drawer: Drawer | null; busy: boolean }, acts: BarActs): TemplateResult {
   return html`<header class="studio-top">
-    ${brand}
+    ${brand}${back("/studio/spaces", "Spaces")}
     <nav class="crumbs" aria-label="Where you are"><a href="/studio">Studio</a><span aria-hidden="true">/</span><a href="/studio/spaces">Spaces</a><span aria-hidden="true">/</span></nav>
     ${session ? title(session) : html`<h1>Authoring space</h1>`}
     ${session

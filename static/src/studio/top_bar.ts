@@ -26,7 +26,7 @@ export interface TopState {
 
 export function topBar(session: Session | null, { original, busy, drawer, mix }: TopState, acts: TopActs): TemplateResult {
   return html`<header class="studio-top">
-    ${brand}
+    ${brand}${back("/library", "Library")}
     <nav class="crumbs" aria-label="Where you are"><a href="/library">Library</a><span aria-hidden="true">·</span><a href="/studio/spaces">Spaces</a><span aria-hidden="true">/</span></nav>
     ${session ? title(session, mix, acts) : html`<h1>Studio</h1>`}
     ${session
@@ -66,6 +66,10 @@ function title(session: Session, mix: Mix | null, { choose }: TopActs): Template
 const origin = ({ examples, space }: Mix): TemplateResult => html`, a mix of ${examples === 1 ? "1 example" : `${examples} examples`}${space
   ? html` in <a href="/studio/spaces/${space.id}">${space.name}</a>`
   : nothing}`;
+
+/** On a narrow screen, the way up in place of the crumbs. */
+export const back = (address: string, words: string): TemplateResult =>
+  html`<a class="button quiet icon-button way-back" href=${address} aria-label="Back to: ${words}" title=${words}>${icon("back")}</a>`;
 
 /** The way home. */
 export const brand = html`<a class="brand" href="/" aria-label="Manner"><svg class="mark" viewBox="0 0 18 28" aria-hidden="true"><path d="M3.6 26.4 9.9 9.6c2.3 5 2.9 7 3.2 9.6l1 7"></path><circle cx="11" cy="4.6" r="3.4"></circle></svg><span>Manner</span></a>`;

@@ -156,18 +156,18 @@ def test_enough_participants_are_the_least_from_which_on_the_index_is_good():
 
 def test_every_piece_is_drawn_by_its_own_seed():
     ratings = rated_pairs.latent(8, 10, GROUPS, noise=1.0)
-    order = Order(ratings, 1.0, 1.5, 3, 300, 7)
+    order = Order(ratings, 1.0, 1.5, 3, 120, 7)
     ours, bootstrap = whole(order), Bootstrap.of(ratings, most_spread=1.5, clusters=3)
     seeds = np.random.SeedSequence(7).spawn(order.pieces)
     first, second = (
         bootstrap.drawn(count, np.random.default_rng(seed))
-        for count, seed in zip((250, 50), seeds, strict=False)
+        for count, seed in zip((100, 20), seeds, strict=False)
     )
     np.testing.assert_array_equal(ours.whole, [*first.whole, *second.whole])
-    kept_share = (250 * first.kept_share + 50 * second.kept_share) / 300
+    kept_share = (100 * first.kept_share + 20 * second.kept_share) / 120
     np.testing.assert_allclose(ours.kept_share, kept_share)
     assert [one.participants for one in ours.by_participants] == sizes(8)
-    last = bootstrap.by_size(16, 60, np.random.default_rng(seeds[-1]))
+    last = bootstrap.by_size(16, 24, np.random.default_rng(seeds[-1]))
     assert ours.by_participants[-1] == last
 
 
