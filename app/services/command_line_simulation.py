@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from sqlalchemy.orm import Session
 
 from app.persistence.engine import Database
 from app.persistence.writer import Writer
@@ -57,11 +59,16 @@ def run(
     tell: Tell,
 ) -> list[Course]:
     """Whole sessions through the services, stored as simulated ones."""
+
+    def read(job: Callable[[Session], Any]) -> Any:  # noqa: ANN401 -- whatever the job gives
+        with database.reading() as db:
+            return job(db)
+
     courses = []
     raters = simulation.raters(plan.tastes, plan.effects, participants, generator)
     writer = Writer(database)
     try:
-        for course in simulation.run(writer.write, plan.slug, raters, dropout, generator):
+        for course in simulation.run(read, writer.write, plan.slug, raters, dropout, generator):
             courses.append(course)
             tell(len(courses))
     finally:

@@ -39,7 +39,7 @@ from app.services.studies import definition_of, find, newest
 from app.statistics.intervals import Samples
 from app.statistics.raters import felt, matched, ranked, rated
 
-Write = Callable[[Callable[[Session], Any]], Any]
+Within = Callable[[Callable[[Session], Any]], Any]  # does it in a session of the database
 TEXT = "simulated"
 INDIFFERENT = 0.5  # steps, below which two figures show no difference
 
@@ -200,6 +200,14 @@ def begin(db: Session, slug: str, rater: Rater) -> Begun:
     return Begun(token, definition, steps, session.id, session.version_id)
 
 
+@dataclass(frozen=True)
+class Way:
+    """What a participant answers, one answer a step from the first on."""
+
+    answers: list[Answer]
+    to_the_end: bool
+
+
 def take_part(db: Session, slug: str, rater: Rater, stop_after: float = 1.0) -> Course:
     """A whole session through the services; the commit is the writer's.
 
@@ -210,17 +218,28 @@ def take_part(db: Session, slug: str, rater: Rater, stop_after: float = 1.0) -> 
         stop_after: the part of the steps after which the participant leaves; 1 completes.
     """
     begun = begin(db, slug, rater)
-    elapsed = 0.0
-    counted: list[tuple[str, Counted]] = []
+    return hand_in(db, begun, way_through(db, begun, rater, stop_after))
+
+
+def way_through(db: Session, begun: Begun, rater: Rater, stop_after: float) -> Way:
+    """All answers of a session, without storing any: matching takes seconds of computing."""
+    elapsed, given = 0.0, []
     for index, step in enumerate(begun.steps[: int(stop_after * len(begun.steps))]):
-        given, taken, path = _given(db, begun.definition, step, rater)
+        told, taken, path = _given(db, begun.definition, step, rater)
         elapsed += taken
-        answer = _answer(index, given, taken, elapsed, path, rater.generator)
+        given.append(_answer(index, told, taken, elapsed, path, rater.generator))
+    return Way(given, stop_after >= 1)
+
+
+def hand_in(db: Session, begun: Begun, way: Way) -> Course:
+    """Store the answers, as far as the study lets the participant come."""
+    counted: list[tuple[str, Counted]] = []
+    for step, answer in zip(begun.steps, way.answers, strict=False):
         receipt, _ = answers.record(db, begun.token, answer)
-        counted += begun.counted(step, given)
+        counted += begun.counted(step, answer.answers)
         if receipt.state != "active":
             return Course(begun.token, False, [])
-    if stop_after < 1:
+    if not way.to_the_end:
         return Course(begun.token, False, [])
     sessions.complete(db, begun.token)
     return Course(begun.token, True, counted)
@@ -253,7 +272,8 @@ def raters(
 
 
 def run(
-    write: Write,
+    read: Within,
+    write: Within,
     slug: str,
     raters: Sequence[Rater],
     dropout: float,
@@ -265,8 +285,11 @@ def run(
     )
     for index, rater in enumerate(raters):
         stop = float(generator.uniform(0, 0.999)) if index in leaving else 1.0
-        # One transaction a session: a commit an answer would take most of the time.
-        course: Course = write(partial(take_part, slug=slug, rater=rater, stop_after=stop))
+        # Two short transactions a session, and the computing between them: a commit an answer would
+        # take most of the time, and during one long one nobody else's answers would be stored.
+        begun: Begun = write(partial(begin, slug=slug, rater=rater))
+        way: Way = read(partial(way_through, begun=begun, rater=rater, stop_after=stop))
+        course: Course = write(partial(hand_in, begun=begun, way=way))
         yield course
 
 

@@ -78,7 +78,9 @@ def take_part(
     complete: bool = True,
 ) -> str:
     """One simulated participant, who may stop after some answers; gives the personal token."""
-    token = begin(write, slug)
+    # Of a stream of its own, which takes nothing from the answers' one.
+    order = int(generator.spawn(1)[0].integers(2**sessions.SEED_BITS))
+    token = begin(write, slug, seed=order)
     part, clips = write(partial(_plan, token=token))
     # Drawn clip by clip in the study's order, so that the sessions' own order changes no answer.
     bias = generator.normal(0, 0.25, len(part.task.scales))

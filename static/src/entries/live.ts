@@ -1,6 +1,7 @@
 import "../styles/live.css";
 import { participantActs } from "../live/acts";
 import { LiveNow } from "../live/now";
+import { Replay } from "../live/replay";
 import { copyButtons } from "../results/copy";
 
 copyButtons();
@@ -18,5 +19,5 @@ const list = document.querySelector<HTMLElement>("ol.steps");
 const steps = document.getElementById("steps");
 if (stage && list && steps) {
   void import("../viewer/motion_viewer");
-  void import("../live/replay").then(({ Replay }) => new Replay(JSON.parse(steps.textContent), list, stage));
+  new Replay(JSON.parse(steps.textContent), list, stage);
 }

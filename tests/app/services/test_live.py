@@ -127,7 +127,8 @@ def test_x_counts_as_the_one_clip_that_it_is(db):
     tastes = effects.tastes(studies.definition_of(studies.newest(db, study)), Effects())
     generator = np.random.default_rng(1)
     raters = simulation.raters(tastes, Effects(), 2, generator)
-    assert list(simulation.run(simulate.directly(db), kinds.SLUG, raters, 0, generator))
+    within = simulate.directly(db)
+    assert list(simulation.run(within, within, kinds.SLUG, raters, 0, generator))
     summarise(db)
     view = live.overview(db, Access(study.id, study.slug, 0, "viewer"), "simulated")
     # Of four clips each stands in three pairs of A/B and of A/B/X, and once in each other part.

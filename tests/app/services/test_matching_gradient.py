@@ -82,7 +82,7 @@ def test_who_follows_the_distance_downhill_finishes_with_every_interface(
             assert row.record["path"][-1][0] == pytest.approx(1000 * given["seconds"], abs=1)
     with pytest.raises(InvalidError, match="targets are matched"):
         browser_simulation.run(
-            database, plan, 1, 1, "http://127.0.0.1", np.random.default_rng(), lambda _: None
+            database, plan, 1, 1, "http://127.0.0.1", np.random.default_rng(1), lambda _: None
         )
 
 

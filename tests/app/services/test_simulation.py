@@ -30,7 +30,7 @@ def run(db, slug, effects, number, seed=1, dropout=0.0):
     definition, generator = definition_of(db, slug), np.random.default_rng(seed)
     felt = tastes(definition, effects)
     raters = simulation.raters(felt, effects, number, generator)
-    return felt, list(simulation.run(directly(db), slug, raters, dropout, generator))
+    return felt, list(simulation.run(directly(db), directly(db), slug, raters, dropout, generator))
 
 
 def test_sessions_of_every_kind_are_whole_and_kept_apart(db):
