@@ -18,7 +18,7 @@ export PATH := $(CURDIR)/.venv/bin:$(PATH)
 # Two test processes share the processors; threads for each would only wait for each other.
 test test-long: export OPENBLAS_NUM_THREADS := 1
 
-FRONT_END := $(shell find static/src static/scripts -type f -not -name tokens.css 2>/dev/null) \
+FRONT_END := $(shell find static/src static/scripts -type f -not -name tokens.css -not -name api-types.ts 2>/dev/null) \
 	static/vite.config.ts static/tsconfig.json
 PIP := $(BIN)/python -m pip install -q -c constraints.txt
 
