@@ -4,6 +4,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { api, ApiError } from "../api";
 import type { components } from "../api-types";
 import { icon } from "../icons";
+import { spaces as listed } from "../space/server";
 import { clipsField } from "./clips";
 import type { Field } from "./fields";
 import { idOf, notes, type Editing } from "./form";
@@ -17,7 +18,7 @@ let known: Promise<Space[]> | null = null;
 
 async function spaces(): Promise<Space[]> {
   try {
-    known ??= api.get<Schemas["SpaceList"]>("/api/v1/spaces").then((list) => list.spaces);
+    known ??= listed();
     return await known;
   } catch (error) {
     known = null;

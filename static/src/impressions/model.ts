@@ -12,7 +12,6 @@ export type Comparison = Schemas["Comparison"];
 export type Comparable = Schemas["Comparable"];
 export type Job = Schemas["JobDetail"];
 export type SpaceLine = Schemas["SpaceLine"];
-export type ListedSpace = Schemas["ListedSpace"];
 type Words = Pair["left"];
 
 /** What a slider or the cut changes; each is one number. */

@@ -4,7 +4,8 @@ import { customElement, property, state } from "lit/decorators.js";
 import { api, type ApiError } from "../api";
 import { problemNote } from "../graph/problem";
 import { icon } from "../icons";
-import { counted, type Impressions, type ListedSpace, type SpaceLine } from "./model";
+import { spaces, type ListedSpace } from "../space/server";
+import { counted, type Impressions, type SpaceLine } from "./model";
 import { attempt } from "./problem";
 
 const MOST_TOLD = 3;
@@ -32,8 +33,7 @@ export class SpaceMaker extends LitElement {
   private async look(): Promise<void> {
     const { slug, kind } = this.data;
     await attempt(async () => {
-      const { spaces } = await api.get<{ spaces: ListedSpace[] }>("/api/v1/spaces");
-      this.earlier = spaces.filter(({ study, simulated }) => study === slug && simulated === (kind === "simulated"));
+      this.earlier = (await spaces()).filter(({ study, simulated }) => study === slug && simulated === (kind === "simulated"));
     }, () => {}); // the list under Spaces has them all the same
   }
 
