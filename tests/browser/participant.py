@@ -119,3 +119,10 @@ def tab_to(page: Page, target: Locator, most: int = 15) -> None:
 
 def _steps(answers: dict[str, int]) -> tuple[int, ...]:
     return tuple(answers[scale] for scale in SCALES)
+
+
+def expect_stored(server: Server, trials: int) -> None:
+    """The first so many trials are stored, each once and as the test person answers it."""
+    rows = stored(server)
+    assert [(row.trial, row.revision) for row in rows] == [(trial, 1) for trial in range(trials)]
+    assert [row.steps for row in rows] == [planned_steps(trial) for trial in range(trials)]

@@ -13,6 +13,7 @@ from tests.browser.participant import (
     answer,
     begin,
     choose_planned,
+    expect_stored,
     keep_still,
     planned_steps,
     step,
@@ -38,9 +39,8 @@ def expect_a_complete_study(page: Page, server: Server) -> None:
     page.wait_for_url("**/thanks", timeout=60_000)
     expect(page.locator("#code")).to_have_text(CODE)
     expect(page.get_by_text("Everything that you answered has arrived.")).to_be_visible()
+    expect_stored(server, CLIPS)
     rows = stored(server)
-    assert [(row.trial, row.revision) for row in rows] == [(trial, 1) for trial in range(CLIPS)]
-    assert [row.steps for row in rows] == [planned_steps(trial) for trial in range(CLIPS)]
     for row in rows:
         assert row.rt_ms > 0
         assert row.record["plays"] >= 1

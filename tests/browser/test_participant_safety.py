@@ -10,6 +10,7 @@ from tests.browser.participant import (
     answer,
     begin,
     choose_planned,
+    expect_stored,
     keep_still,
     planned_steps,
     step,
@@ -26,12 +27,6 @@ RESPONSES = "**/api/v1/sessions/*/responses"
 @pytest.fixture(autouse=True)
 def still(page: Page) -> None:
     keep_still(page.context)
-
-
-def expect_stored(server: Server, trials: int) -> None:
-    rows = stored(server)
-    assert [(row.trial, row.revision) for row in rows] == [(trial, 1) for trial in range(trials)]
-    assert [row.steps for row in rows] == [planned_steps(trial) for trial in range(trials)]
 
 
 def test_a_reload_in_the_middle_comes_back_to_the_same_trial_half_filled_as_it_was(

@@ -21,8 +21,8 @@ from tests.browser.participant import (
     answer,
     begin,
     choose_planned,
+    expect_stored,
     keep_still,
-    planned_steps,
     stored,
     wait_for_clip,
     wait_until_saved,
@@ -37,12 +37,6 @@ DAY_MS = 86_400_000
 @pytest.fixture(autouse=True)
 def still(page: Page) -> None:
     keep_still(page.context)
-
-
-def expect_stored(server: Server, trials: int) -> None:
-    rows = stored(server)
-    assert [(row.trial, row.revision) for row in rows] == [(trial, 1) for trial in range(trials)]
-    assert [row.steps for row in rows] == [planned_steps(trial) for trial in range(trials)]
 
 
 @pytest.fixture
